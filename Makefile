@@ -1,0 +1,126 @@
+# Triangulations in R2: everything is built in build/; `make help` lists the targets.
+
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+.PHONY: all help demo test test-long check weave figures book bench mutants asan \
+        install clean
+
+CFLAGS   ?= -O2 -g
+WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
+BUILD    ?= build
+# Programs and tests are POSIX; the library is plain C11 and does not need the macro.
+COMPILE = $(CC) -std=c11 $(WARNINGS) -ffp-contract=off -I. -MMD -MP $(CFLAGS)
+
+LIBRARY  := $(wildcard lib/*.c) $(filter-out %/figures.c,$(wildcard chapters/*.c chapters/*/*.c))
+FIGURES  := $(patsubst chapters/%/figures.c,%,$(wildcard chapters/*/figures.c))
+SECTIONS := $(sort $(foreach d,$(wildcard chapters/[0-9]*),$(firstword $(subst _, ,$(notdir $d)))))
+HARNESS  := $(wildcard tests/harness/*.c tests/oracle/*.c)
+TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests/tools_*.c))
+TRI      := $(wildcard tools/tri/*.c)
+TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
+
+PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
+COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
+
+all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(TOOLS:%=$(BUILD)/%) \
+     $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
+	  awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
+	@echo "  make SECTION     build, test and draw one section: $(SECTIONS)"
+
+# ---- The library: plain, and once more with every question counted. ----
+
+$(BUILD)/plain/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+
+$(BUILD)/counted/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE) -DTRI_COUNTED -c $< -o $@
+
+$(BUILD)/libtri.a: $(PLAIN)
+	@rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/counted/libtri.a: $(COUNTED)
+	@rm -f $@
+	ar rcs $@ $^
+
+# ---- Programs, tests, figures: POSIX, on top of the library. ----
+
+POSIX = -D_POSIX_C_SOURCE=200809L
+
+$(BUILD)/posix/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE) $(POSIX) -c $< -o $@
+
+$(BUILD)/posix-counted/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE) $(POSIX) -DTRI_COUNTED -c $< -o $@
+
+$(BUILD)/tri: $(TRI:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+$(BUILD)/counted/tri: $(TRI:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+$(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+$(BUILD)/figures/%: $(BUILD)/posix/chapters/%/figures.o $(BUILD)/libtri.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+# Tests ask the counted library, so that they can say what they have reached.
+$(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
+                 $(HARNESS:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+# ---- What people run. ----
+
+demo: $(BUILD)/tri $(BUILD)/counted/tri ## triangulate, certify and draw the shipped real points
+	tools/demo.sh $(BUILD)
+
+test: all ## every test, in under two minutes on two cores
+	tests/run.sh $(BUILD) $(TESTS)
+
+test-long: all ## the same with more trials, compilers and flags; then fuzzing
+	tests/run_long.sh $(BUILD) $(TESTS)
+
+check: $(BUILD)/libtri.a $(BUILD)/weave $(BUILD)/deps ## all that can be checked without geometry
+	tools/check.sh $(BUILD)
+
+weave: $(BUILD)/weave ## refresh the code quoted in the pages
+	$(BUILD)/weave
+
+figures: $(FIGURES:%=$(BUILD)/figures/%) ## draw every figure of the pages again
+	@for f in $(FIGURES); do mkdir -p "chapters/$$f/figures" && \
+	  $(BUILD)/figures/$$f "chapters/$$f/figures" || exit 1; done
+
+book: $(BUILD)/weave ## the pages as a static HTML book in build/book/ (needs pandoc)
+	tools/book.sh $(BUILD)
+
+bench: $(BUILD)/tri ## times relative to sorting the same points
+	tools/bench.sh $(BUILD)
+
+mutants: ## plant bugs one by one; each must be caught by a named statement
+	tests/mutants/run.sh
+
+asan: ## all tests with the address and undefined-behaviour sanitizers
+	$(MAKE) BUILD=$(BUILD)/asan \
+	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" test
+
+$(SECTIONS): %: all
+	tests/run.sh $(BUILD) $(filter $*_%,$(TESTS))
+	@for f in $(filter $*_%,$(FIGURES)); do mkdir -p "chapters/$$f/figures" && \
+	  $(BUILD)/figures/$$f "chapters/$$f/figures" || exit 1; done
+.PHONY: $(SECTIONS)
+
+clean: ## remove build/
+	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

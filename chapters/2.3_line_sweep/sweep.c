@@ -1,0 +1,169 @@
+/* sweep.c - Figure 3 of the notes: LineSweep. */
+#include "chapters/2.3_line_sweep/sweep.h"
+
+#include "chapters/3.4_primitives/predicates.h"
+#include "lib/memory.h"
+
+/* ---- Line 1: the order of the sweep. ---- */
+
+/* Points travel with their indices, so that comparing does not jump about. */
+typedef struct site {
+    point2 at;
+    vertex_id id;
+} site;
+
+/* Merges the sorted runs from[lo,mid) and from[mid,hi) into to[lo,hi). Of equal
+ * points the one from the left run comes first, so the order is stable. */
+static void
+merge_runs(const site *from, site *to, size_t lo, size_t mid, size_t hi, point2 d)
+{
+    size_t left = lo, right = mid;
+    for (size_t k = lo; k < hi; k++) {
+        bool take_left = right == hi ||
+            (left < mid && compare_along(d, from[left].at, from[right].at) <= 0);
+        to[k] = take_left ? from[left++] : from[right++];
+    }
+}
+
+/* Sorts a[0..n) by runs of 1, 2, 4, ...; b has the same size. Returns the one of
+ * the two arrays that holds the result. */
+static site *
+merge_sort(site *a, site *b, size_t n, point2 d)
+{
+    for (size_t run = 1; run < n; run *= 2) {
+        for (size_t lo = 0; lo < n; lo += 2 * run) {
+            size_t mid = lo + run < n ? lo + run : n;
+            size_t hi = mid + run < n ? mid + run : n;
+            merge_runs(a, b, lo, mid, hi, d);
+        }
+        site *sorted = b;
+        b = a;
+        a = sorted;
+    }
+    return a;
+}
+
+tri_status
+sort_along(const point2 *points, uint32_t n, point2 d, vertex_id *order,
+           uint32_t *locations)
+{
+    *locations = 0;
+    site *both = memory_array(n, 2 * sizeof *both);
+    if (both == NULL)
+        return TRI_OUT_OF_MEMORY;
+    for (vertex_id v = 0; v < n; v++)
+        both[v] = (site){points[v], v};
+
+    const site *sorted = merge_sort(both, both + n, n, d);
+    for (uint32_t i = 0; i < n; i++) {
+        bool repeated = i > 0 && compare_along(d, sorted[i - 1].at, sorted[i].at) == 0;
+        if (!repeated)
+            order[(*locations)++] = sorted[i].id;
+    }
+    memory_free(both);
+    return TRI_OK;
+}
+
+/* ---- Line 4: what the new point sees. ---- */
+
+/* Does p see hull edge e, from u to w? The hull lies left of its edges, so exactly
+ * when p is strictly right. A point in line with an edge cannot see it: the
+ * triangle would be flat, and Definition 1 wants affinely independent vertices. */
+static bool
+sees(const mesh *m, const point2 *points, vertex_id p, halfedge_id e)
+{
+    vertex_id u = mesh_origin(m, e), w = mesh_dest(m, e);
+    return orient2d(points[u], points[w], points[p]) < 0;
+}
+
+/* The edges that see p form one chain. If it is not empty it touches the vertex
+ * where `last` begins (page 2.3, P1), on one side or the other, so the walk looks
+ * both ways. */
+hull_chain
+hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_id p)
+{
+    hull_chain q = {last, last};
+    while (sees(m, points, p, mesh_hull_prev(m, q.first)))
+        q.first = mesh_hull_prev(m, q.first);
+    while (sees(m, points, p, q.end))
+        q.end = mesh_hull_next(m, q.end);
+    return q;
+}
+
+/* ---- Line 5: what becomes of them. ---- */
+
+halfedge_id
+attach(mesh *m, hull_chain q, vertex_id p)
+{
+    for (halfedge_id e = q.first; e != q.end; e = mesh_hull_next(m, e))
+        mesh_cover(m, e, p);
+    halfedge_id leaving = mesh_hull_join(m, q.first, q.end, p);
+    trace_report(m, (trace_event){TRACE_ATTACH, leaving, p, NONE, NONE, NONE});
+    return leaving;
+}
+
+/* ---- Figure 3. ---- */
+
+/* A single location needs no edge; two or more begin with one. */
+static void
+sweep(mesh *m, const point2 *points, const vertex_id *L)
+{
+    halfedge_id last = NONE;
+    if (m->locations >= 2)
+        last = mesh_hull_next(m, mesh_start(m, L[0], L[1])); // Line 2: edge v1 v2.
+    for (uint32_t i = 2; i < m->locations && !m->cancelled; i++) { // Line 3
+        hull_chain q = hull_edges_seeing(m, points, last, L[i]);   // Line 4
+        last = attach(m, q, L[i]);                                 // Line 5
+    }                                                              // Line 6
+}
+
+tri_status
+sweep_triangulate(const point2 *points, uint32_t n, const tri_options *options,
+                  mesh *out)
+{
+    *out = (mesh){0};
+    tri_options used;
+    tri_status status = tri_accept(points, n, options, &used);
+    if (status != TRI_OK)
+        return status;
+    vertex_id *L = memory_array(n, sizeof *L);
+    if (L == NULL)
+        return TRI_OUT_OF_MEMORY;
+
+    uint32_t locations;
+    status = sort_along(points, n, used.direction, L, &locations); // Line 1
+    if (status == TRI_OK)
+        status = mesh_init(out, n, locations);
+    if (status == TRI_OK) {
+        out->trace = used.trace;
+        sweep(out, points, L);
+        if (out->cancelled)
+            status = TRI_CANCELLED;
+    }
+    memory_free(L);
+    if (status != TRI_OK)
+        mesh_free(out);
+    return status;
+}
+
+/* ---- The hull, read off the mesh. ---- */
+
+uint32_t
+hull_vertices(const mesh *m, vertex_id *hull)
+{
+    if (m->locations < 2) {
+        for (uint32_t i = 0; i < m->locations; i++)
+            hull[i] = i; /* of copies of one point, the first is its vertex */
+        return m->locations;
+    }
+    halfedge_id first = mesh_some_hull_edge(m);
+    uint32_t edges = mesh_hull_size(m);
+    bool path = edges == 2 * m->locations - 2;
+    /* Begin at the lowest index; on a path, at an end, where the hull turns back. */
+    for (uint32_t i = 0; i < edges; i++) {
+    }
+    (void)first;
+    (void)path;
+    (void)hull;
+    return 0;
+}

@@ -1,0 +1,45 @@
+/* options.h - what can be asked of an algorithm, and what all of them refuse.
+ *
+ * Needs: lib/point.h, lib/status.h, lib/trace.h.
+ *
+ * Every algorithm has one shape:
+ *
+ *     tri_status X_triangulate(const point2 *points, uint32_t n,
+ *                              const tri_options *options, mesh *out);
+ *
+ * NULL for the options means the defaults. Of duplicate points the one with the
+ * lowest index is the vertex; the others stay unused. Collinear points are no
+ * error: zero triangles, and the path along the line. On any status but TRI_OK
+ * *out is zeroed and nothing is leaked.
+ */
+#ifndef LIB_OPTIONS_H
+#define LIB_OPTIONS_H
+
+#include "lib/point.h"
+#include "lib/status.h"
+#include "lib/trace.h"
+
+#include <stddef.h>
+
+typedef struct tri_options {
+    size_t size;      /* sizeof (tri_options): lets the struct grow */
+    point2 direction; /* 2.3: the sweep line moves along it; default (1,0) */
+    trace *trace;     /* who watches; default NULL, nobody */
+} tri_options;
+
+/* The defaults, with their size filled in. */
+tri_options tri_options_default(void);
+
+/* What every algorithm does first: may it run on these points?
+ *
+ *   TRI_OK                  yes; *used holds the options to use
+ *   TRI_BAD_OPTION          wrong size, or a direction that is zero or not finite
+ *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
+ *   TRI_NOT_FINITE          some coordinate is NaN or infinite
+ *   TRI_TOO_MANY_POINTS     n is UINT32_MAX: the last index would be GHOST
+ *
+ * Cost: reads every point once. */
+tri_status tri_accept(const point2 *points, uint32_t n, const tri_options *given,
+                      tri_options *used);
+
+#endif
