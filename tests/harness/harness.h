@@ -105,13 +105,10 @@ int test_end(test_minima minima);
 void claim_made(const char *name);
 
 #if defined __GNUC__
-__attribute__((noreturn, format(printf, 2, 3)))
+__attribute__((format(printf, 2, 3)))
 #endif
-void claim_failed(const char *name, const char *seen, ...);
+_Noreturn void claim_failed(const char *name, const char *seen, ...);
 
-#if defined __GNUC__
-__attribute__((noreturn))
-#endif
-void hypothesis_missed(void);
+_Noreturn void hypothesis_missed(void);
 
 #endif
