@@ -250,10 +250,3 @@ mesh_triangles(const mesh *m, triangle_list *out)
     }
     return TRI_OK;
 }
-
-void
-triangle_list_free(triangle_list *list)
-{
-    memory_free(list->corner);
-    *list = (triangle_list){0};
-}

@@ -1,7 +1,7 @@
 /* mesh.h - a triangulation in the plane, kept as a sphere of triangles.
  *
- * Notes: definition 4, drawn in chapters/1_introduction. Needs: point, status,
- * verdict.
+ * Notes: definition 4, drawn in chapters/1_introduction. Needs: lib/triangles.h,
+ * lib/verdict.h.
  *
  * A triangle is three consecutive half-edges. A half-edge runs along one side of
  * a triangle, with the triangle on its left:
@@ -29,16 +29,13 @@
 
 #include "lib/point.h"
 #include "lib/status.h"
+#include "lib/triangles.h"
 #include "lib/verdict.h"
 
 #include <assert.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef uint32_t halfedge_id; /* 3t, 3t+1 and 3t+2 are the sides of triangle t */
-typedef uint32_t triangle_id;
-
-#define NONE UINT32_MAX  /* no half-edge, no triangle */
 #define GHOST UINT32_MAX /* the vertex at infinity; no point has this index */
 
 /* The most locations whose 6u-6 half-edges are all below NONE. */
@@ -234,17 +231,8 @@ halfedge_id mesh_hull_join(mesh *m, halfedge_id first, halfedge_id end, vertex_i
  * Cost: O(n). Asks no predicate. */
 verdict mesh_check(const mesh *m);
 
-/* A list of triangles: what files, checks and other programs speak of. */
-typedef struct triangle_list {
-    uint32_t count;
-    vertex_id (*corner)[3]; /* triangle -> its corners, counterclockwise */
-} triangle_list;
-
 /* The triangles of *m, without the ghosts, in the order of their slots.
  * TRI_OUT_OF_MEMORY: *out is zeroed. */
 tri_status mesh_triangles(const mesh *m, triangle_list *out);
-
-/* Frees the array and zeroes *list; a zeroed list is accepted. */
-void triangle_list_free(triangle_list *list);
 
 #endif

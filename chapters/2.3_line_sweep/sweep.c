@@ -148,22 +148,36 @@ sweep_triangulate(const point2 *points, uint32_t n, const tri_options *options,
 
 /* ---- The hull, read off the mesh. ---- */
 
+/* The hull edge that leaves the first vertex to be listed: of all hull vertices, or
+ * of the two ends of a path, the one with the lowest index. At the end of a path
+ * the hull turns back: the edge before is the twin of the edge after. */
+static halfedge_id
+first_hull_edge(const mesh *m, bool path)
+{
+    halfedge_id some = mesh_some_hull_edge(m), first = NONE, e = some;
+    do {
+        bool eligible = !path || mesh_hull_prev(m, e) == mesh_twin(m, e);
+        if (eligible && (first == NONE || mesh_origin(m, e) < mesh_origin(m, first)))
+            first = e;
+        e = mesh_hull_next(m, e);
+    } while (e != some);
+    return first;
+}
+
 uint32_t
 hull_vertices(const mesh *m, vertex_id *hull)
 {
     if (m->locations < 2) {
         for (uint32_t i = 0; i < m->locations; i++)
-            hull[i] = i; /* of copies of one point, the first is its vertex */
+            hull[i] = 0; /* of the copies of one point the first is its vertex */
         return m->locations;
     }
-    halfedge_id first = mesh_some_hull_edge(m);
-    uint32_t edges = mesh_hull_size(m);
-    bool path = edges == 2 * m->locations - 2;
-    /* Begin at the lowest index; on a path, at an end, where the hull turns back. */
-    for (uint32_t i = 0; i < edges; i++) {
+    bool path = !mesh_in_triangle(m, mesh_some_hull_edge(m));
+    uint32_t size = path ? m->locations : mesh_hull_size(m);
+    halfedge_id e = first_hull_edge(m, path);
+    for (uint32_t i = 0; i < size; i++) {
+        hull[i] = mesh_origin(m, e);
+        e = mesh_hull_next(m, e);
     }
-    (void)first;
-    (void)path;
-    (void)hull;
-    return 0;
+    return size;
 }

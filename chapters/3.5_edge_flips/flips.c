@@ -1,6 +1,7 @@
 /* flips.c - Definition 9, the flip, and Figure 10 of the notes: LawsonFlip. */
 #include "chapters/3.5_edge_flips/flips.h"
 
+#include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/memory.h"
@@ -153,5 +154,44 @@ lawson_triangulate(const point2 *points, uint32_t n, const tri_options *options,
     }
     if (status != TRI_OK)
         mesh_free(out);
+    return status;
+}
+
+/* ---- Certifying: Theorem 3 as a check. ---- */
+
+/* Is each edge of the list locally Delaunay? Each is looked at from one side. */
+static verdict
+check_local_delaunay(const point2 *points, triangle_list list, const halfedge_id *twin)
+{
+    for (halfedge_id ab = 0; ab < 3 * list.count; ab++) {
+        halfedge_id ba = twin[ab];
+        if (ba == NONE || ba < ab)
+            continue;
+        vertex_id a = side_origin(list, ab), b = side_dest(list, ab);
+        vertex_id c = side_apex(list, ab), d = side_apex(list, ba);
+        if (incircle(points[a], points[b], points[c], points[d]) <= 0)
+            continue;
+        verdict v = verdict_refuted("edge %u %u is not locally Delaunay: %u lies inside "
+            "the circle of %u, %u, %u", (unsigned)a, (unsigned)b, (unsigned)d, (unsigned)a,
+            (unsigned)b, (unsigned)c);
+        return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c), d);
+    }
+    return verdict_holds();
+}
+
+tri_status
+is_delaunay(const point2 *points, uint32_t n, triangle_list list, verdict *out)
+{
+    tri_status status = is_triangulation(points, n, list, out);
+    if (status != TRI_OK || !out->holds)
+        return status;
+    halfedge_id *twin = memory_array(list.count, 3 * sizeof *twin);
+    if (twin == NULL)
+        return TRI_OUT_OF_MEMORY;
+    halfedge_id repeated;
+    status = triangle_list_twins(list, twin, &repeated);
+    if (status == TRI_OK)
+        *out = check_local_delaunay(points, list, twin);
+    memory_free(twin);
     return status;
 }

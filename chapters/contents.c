@@ -1,0 +1,25 @@
+/* contents.c - the table of all algorithms. */
+#include "chapters/contents.h"
+
+#include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.5_edge_flips/flips.h"
+
+#include <string.h>
+
+const algorithm contents[] = {
+    {"sweep", "2.3", "sweep_triangulate", sweep_triangulate, false,
+     "a line sweeps over the points (Figure 3)"},
+    {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true,
+     "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
+};
+
+const uint32_t contents_count = sizeof contents / sizeof contents[0];
+
+const algorithm *
+contents_find(const char *name)
+{
+    for (uint32_t i = 0; i < contents_count; i++)
+        if (strcmp(contents[i].name, name) == 0)
+            return &contents[i];
+    return NULL;
+}

@@ -1,0 +1,25 @@
+/* triangulations.h - everything, with one include.
+ *
+ *     cc -I. program.c build/libtri.a -lm
+ */
+#ifndef CHAPTERS_TRIANGULATIONS_H
+#define CHAPTERS_TRIANGULATIONS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "chapters/2.1_simplicial_complexes/complex.h"
+#include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.4_primitives/predicates.h"
+#include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/contents.h"
+#include "lib/mesh.h"
+#include "lib/options.h"
+#include "lib/trace.h"
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
