@@ -18,13 +18,14 @@ SECTIONS := $(sort $(foreach d,$(wildcard chapters/[0-9]*),$(firstword $(subst _
 HARNESS  := $(wildcard tests/harness/*.c tests/oracle/*.c)
 TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests/tools_*.c))
 TRI      := $(wildcard tools/tri/*.c)
+WEAVE    := $(wildcard tools/weave/*.c)
 TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 
 PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
 COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
-all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(TOOLS:%=$(BUILD)/%) \
-     $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave \
+     $(TOOLS:%=$(BUILD)/%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
@@ -66,6 +67,9 @@ $(BUILD)/tri: $(TRI:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
 
 $(BUILD)/counted/tri: $(TRI:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
 	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+$(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
+	$(CC) $(CFLAGS) $^ -o $@
 
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
 	$(CC) $(CFLAGS) $^ -o $@ -lm
