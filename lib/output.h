@@ -15,28 +15,28 @@
 
 typedef struct output {
     FILE *file;   /* write here; NULL when nothing is open */
-    char *path;   /* the name that the file will get; NULL for standard output */
-    char *beside; /* the name that it has until then; NULL: written in place */
+    char *path;   /* the name it will get; NULL for standard output */
+    char *beside; /* the name it has until then; NULL: in place */
 } output;
 
 /* Opens a file beside `path`; "-" means standard output.
  *
- * What exists and is no regular file, such as /dev/full, cannot be replaced and
- * is written in place. The new file's name is path, a dot, a number and ".part".
+ * A path below /dev/ names a device, not to be replaced by a file: it is
+ * written in place. The file beside is called PATH.NUMBER.part.
  * TRI_CANNOT_WRITE, TRI_OUT_OF_MEMORY: *o is zeroed and nothing has changed;
- * errno tells more.
+ * errno may tell more.
  */
 tri_status output_begin(output *o, const char *path);
 
-/* Flushes, looks for any error since output_begin, closes and renames onto path;
- * *o is zeroed in either case.
- * TRI_CANNOT_WRITE: the new file is removed, the old one is intact; errno tells
- * more when the last write was the one that failed.
+/* Flushes, looks for any error since output_begin, closes, renames onto path;
+ * *o is zeroed in either case. Requires: output_begin gave TRI_OK.
+ * TRI_CANNOT_WRITE: the new file is removed, the old one is intact; errno may
+ * tell more.
  */
 tri_status output_commit(output *o);
 
-/* Removes the file beside, when the work came to nothing, and zeroes *o; a zeroed
- * struct is accepted. */
+/* Removes the file beside, when the work came to nothing, and zeroes *o; a
+ * zeroed struct is accepted. */
 void output_discard(output *o);
 
 #endif
