@@ -26,7 +26,7 @@ integer(random_source *source, int range)
 static point2
 integer_point(random_source *source, int range)
 {
-    int x = integer(source, range), y = integer(source, range);
+    double x = integer(source, range), y = integer(source, range);
     return (point2){x, y};
 }
 
@@ -45,6 +45,14 @@ circle_point(random_source *source)
     double t = 2 * random_unit(source) - 1;
     double x = (1 - t * t) / (1 + t * t), y = 2 * t / (1 + t * t);
     return (point2){one_in(source, 2) ? x : -x, y};
+}
+
+/* A point of the grid of columns x rows integer points. */
+static point2
+grid_point(random_source *source, uint32_t columns, uint32_t rows)
+{
+    double x = random_below(source, columns), y = random_below(source, rows);
+    return (point2){x, y};
 }
 
 /* An integer point exactly on the circle of this radius around the origin: there
@@ -165,7 +173,7 @@ generate_ordinary(random_source *source, point2 *points, uint32_t n)
         if (family == 4 && i + off_line >= n)
             points[i] = integer_point(source, 9);
         else if (family == 5) /* two parallel lines */
-            points[i] = (point2){random_below(source, n), random_below(source, 2)};
+            points[i] = grid_point(source, n, 2);
         else if (family == 6 || family == 7)
             points[i] = integer_point(source, side);
         else if (family == 8)
@@ -218,8 +226,9 @@ draw_shape(random_source *source, point2 *points, uint32_t n)
             points[i] = integer_point(source, side);
             break;
         case 5: /* a small grid where doubles are coarse */
-            points[i] = (point2){0x1p52 + random_below(source, 4),
-                                 0x1p52 + random_below(source, 4)};
+            points[i] = grid_point(source, 4, 4);
+            points[i].x += 0x1p52;
+            points[i].y += 0x1p52;
             break;
         default: /* each coordinate of its own magnitude */
             points[i].x = any_magnitude(source);
