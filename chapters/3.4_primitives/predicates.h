@@ -8,8 +8,9 @@
  *
  * Each test is tried here in rounded arithmetic. The answer stands when the
  * rounded determinant is further from zero than all roundings together can have
- * moved it (page 3.4, P1 to P4: why the bounds are right); a NaN, an infinity or
- * a zero never is, and falls through to exact.c.
+ * moved it; a NaN, an infinity or a zero never is, and falls through to exact.c.
+ * The bounds are one 2^-53 more than the roundings that a product of coordinates
+ * passes through (3, 10 and 7), and a little for underflow (page 3.4, P1 to P4).
  */
 #ifndef CHAPTERS_3_4_PREDICATES_H
 #define CHAPTERS_3_4_PREDICATES_H
@@ -20,19 +21,22 @@
 #include <math.h>
 
 #ifdef __FAST_MATH__
-#error "exact signs need IEEE arithmetic: compile without -ffast-math (or -Ofast)"
+#error "exact signs need IEEE arithmetic: compile without -ffast-math, -Ofast"
 #endif
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "exact signs need doubles rounded to double: add -msse2 -mfpmath=sse"
 #endif
 
-/* The counted build (build/counted/) counts questions here; the plain build pays
- * nothing. Programs that print or limit counts are linked with that build. */
+/* The counted build (build/counted/) counts questions here; the plain build
+ * pays nothing. Programs that print or limit counts are linked with that build.
+ * A determinant that none of signs, expansions, wide has counted was decided by
+ * its filter. */
 #ifdef TRI_COUNTED
 typedef struct predicate_counts {
     uint64_t orient2d, incircle, orient3d, compare_along; /* questions asked */
-    uint64_t expansions, wide; /* answered by the second and the third tier */
-    uint64_t zeros;            /* answered by 0 */
+    /* The determinants that the filter left to exact.c, by what answered: */
+    uint64_t signs, expansions, wide; /* its Steps 1, 2 and 3 */
+    uint64_t zeros;                   /* and how many of all these were 0 */
 } predicate_counts;
 extern predicate_counts predicate_count;
 #define PREDICATE_COUNT(what) ((void)predicate_count.what++)
@@ -45,9 +49,9 @@ int cross_sign_exact(point2 p, point2 q, point2 r, point2 s);
 int incircle_exact(point2 a, point2 b, point2 c, point2 d);
 int orient3d_exact(point3 a, point3 b, point3 c, point3 d);
 
-/* The sign of the cross product (p-q) x (r-s): does turning from the vector qp to
- * the vector sr by the shorter way go left (+1), right (-1), or are they parallel
- * (0)? The one determinant behind orient2d and compare_along. */
+/* The sign of the cross product (p-q) x (r-s): does turning from the vector qp
+ * to the vector sr by the shorter way go left (+1), right (-1), or are they
+ * parallel (0)? The one determinant behind orient2d and compare_along. */
 static inline int
 cross_sign(point2 p, point2 q, point2 r, point2 s)
 {
@@ -117,18 +121,19 @@ incircle(point2 a, point2 b, point2 c, point2 d)
     double bdx = b.x - d.x, bdy = b.y - d.y;
     double cdx = c.x - d.x, cdy = c.y - d.y;
 
-    double bc = bdx * cdy, cb = cdx * bdy;
-    double ca = cdx * ady, ac = adx * cdy;
-    double ab = adx * bdy, ba = bdx * ady;
+    double bc = bdx * cdy, cb = bdy * cdx;
+    double ca = cdx * ady, ac = cdy * adx;
+    double ab = adx * bdy, ba = ady * bdx;
     double alift = adx * adx + ady * ady;
     double blift = bdx * bdx + bdy * bdy;
     double clift = cdx * cdx + cdy * cdy;
 
     double det = alift * (bc - cb) + blift * (ca - ac) + clift * (ab - ba);
-    double size = alift * (fabs(bc) + fabs(cb)) + blift * (fabs(ca) + fabs(ac)) +
+    double size = alift * (fabs(bc) + fabs(cb)) +
+                  blift * (fabs(ca) + fabs(ac)) +
                   clift * (fabs(ab) + fabs(ba));
     double underflow = 0x1p-1000 * (1 + alift + blift + clift);
-    double bound = 0x1.8p-50 * size + underflow;
+    double bound = 0x1.6p-50 * size + underflow;
     if (det > bound)
         return +1;
     if (-det > bound)
@@ -154,16 +159,16 @@ orient3d(point3 a, point3 b, point3 c, point3 d)
     double bdx = b.x - d.x, bdy = b.y - d.y, bdz = b.z - d.z;
     double cdx = c.x - d.x, cdy = c.y - d.y, cdz = c.z - d.z;
 
-    double bc = bdx * cdy, cb = cdx * bdy;
-    double ca = cdx * ady, ac = adx * cdy;
-    double ab = adx * bdy, ba = bdx * ady;
+    double bc = bdx * cdy, cb = bdy * cdx;
+    double ca = cdx * ady, ac = cdy * adx;
+    double ab = adx * bdy, ba = ady * bdx;
 
     double det = adz * (bc - cb) + bdz * (ca - ac) + cdz * (ab - ba);
     double size = fabs(adz) * (fabs(bc) + fabs(cb)) +
                   fabs(bdz) * (fabs(ca) + fabs(ac)) +
                   fabs(cdz) * (fabs(ab) + fabs(ba));
     double underflow = 0x1p-1000 * (1 + fabs(adz) + fabs(bdz) + fabs(cdz));
-    double bound = 0x1.8p-50 * size + underflow;
+    double bound = 0x1p-50 * size + underflow;
     if (det > bound)
         return +1;
     if (-det > bound)
