@@ -18,7 +18,7 @@ read_first_line(text_lines *t, const char *what, uint32_t *value, int most)
     text_cell cell;
     for (int i = 0; text_next_cell(t, TEXT_BLANKS, &cell); i++) {
         if (i == most)
-            return text_refuse(t, "more than %d numbers on the first line", most);
+            return text_refuse(t, "more than %d numbers on line one", most);
         tri_status status = text_whole(t, cell, &value[i]);
         if (status != TRI_OK)
             return status;
@@ -114,7 +114,7 @@ text_parse_node(text_lines *t, text_points *out)
     uint32_t header[4] = {0, 2, 0, 0}; /* points, 2, attributes, markers */
     tri_status status = read_first_line(t, "points", header, 4);
     if (status == TRI_OK && header[1] != 2)
-        return text_refuse(t, "the dimension is %lu: only the plane, 2, is read",
+        return text_refuse(t, "dimension %lu: only the plane, 2, can be read",
                            (unsigned long)header[1]);
     if (status == TRI_OK)
         status = refuse_absurd_count(t, "points", header[0], 3);

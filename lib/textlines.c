@@ -157,8 +157,8 @@ text_double(text_lines *t, text_cell cell, double *value)
     case DECIMAL_NUMBER:
         return TRI_OK;
     case DECIMAL_TOO_LARGE:
-        return text_refuse(t, "\"%s\" is too large: the largest double is about "
-                           "1.797e308", show(cell).text);
+        return text_refuse(t, "\"%s\" is too large: the largest double is "
+                           "about 1.797e308", show(cell).text);
     case DECIMAL_NO_NUMBER:
         break;
     }

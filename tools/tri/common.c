@@ -1,0 +1,187 @@
+/* common.c - messages, arguments and files of all commands. */
+#include "tools/tri/tri.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* ---- Ending with a message. ---- */
+
+_Noreturn void
+die(const char *sentence, ...)
+{
+    va_list arguments;
+    va_start(arguments, sentence);
+    vfprintf(stderr, sentence, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    exit(EXIT_UNUSABLE);
+}
+
+_Noreturn void
+die_usage(const char *name, const char *sentence, ...)
+{
+    va_list arguments;
+    va_start(arguments, sentence);
+    fprintf(stderr, "tri %s: ", name);
+    vfprintf(stderr, sentence, arguments);
+    va_end(arguments);
+    for (const command *c = commands; c->name != NULL; c++)
+        if (strcmp(c->name, name) == 0)
+            fprintf(stderr, "\nusage: tri %s %s", c->name, c->usage);
+    fprintf(stderr, "\n`tri help %s` tells more\n", name);
+    exit(EXIT_UNUSABLE);
+}
+
+void
+must(tri_status status)
+{
+    if (status != TRI_OK)
+        die("tri: %s", tri_status_text(status));
+}
+
+/* ---- Arguments. ---- */
+
+static void
+remove_words(int *argc, char **argv, int at, int count)
+{
+    for (int i = at; i + count < *argc; i++)
+        argv[i] = argv[i + count];
+    *argc -= count;
+}
+
+const char *
+take_option(int *argc, char **argv, const char *name)
+{
+    const char *value = NULL;
+    for (int i = 1; i < *argc;) {
+        if (strcmp(argv[i], name) != 0) {
+            i++;
+            continue;
+        }
+        if (i + 1 == *argc)
+            die_usage(argv[0], "%s needs a value after it", name);
+        if (value != NULL)
+            die_usage(argv[0], "%s is given twice", name);
+        value = argv[i + 1];
+        remove_words(argc, argv, i, 2);
+    }
+    return value;
+}
+
+bool
+take_flag(int *argc, char **argv, const char *name)
+{
+    bool found = false;
+    for (int i = 1; i < *argc;) {
+        if (strcmp(argv[i], name) == 0) {
+            found = true;
+            remove_words(argc, argv, i, 1);
+        } else {
+            i++;
+        }
+    }
+    return found;
+}
+
+void
+expect_words(int argc, char **argv, int least, int most)
+{
+    for (int i = 1; i < argc; i++)
+        if (argv[i][0] == '-' && argv[i][1] != '\0')
+            die_usage(argv[0], "there is no option %s", argv[i]);
+    if (argc - 1 < least)
+        die_usage(argv[0], "something is missing");
+    if (argc - 1 > most)
+        die_usage(argv[0], "%s is one word too many", argv[most + 1]);
+}
+
+/* ---- Files. ---- */
+
+_Noreturn static void
+die_of_file(const char *path, const text_error *error)
+{
+    const char *name = strcmp(path, "-") == 0 ? "<stdin>" : path;
+    if (error->line == 0)
+        die("%s: %s", name, error->text);
+    die("%s:%lu: %s", name, error->line, error->text);
+}
+
+text_points
+load_points(const char *path)
+{
+    text_points points;
+    text_error error;
+    if (text_read_points(path, &points, &error) != TRI_OK)
+        die_of_file(path, &error);
+    return points;
+}
+
+triangle_list
+load_triangles(const char *path, const text_points *points)
+{
+    triangle_list list;
+    text_error error;
+    if (text_read_triangles(path, points, &list, &error) != TRI_OK)
+        die_of_file(path, &error);
+    return list;
+}
+
+void
+check_output(const char *path)
+{
+    struct stat about;
+    if (path == NULL || strncmp(path, "/dev/", 5) == 0)
+        return;
+    if (stat(path, &about) != 0)
+        return;
+    if (S_ISDIR(about.st_mode))
+        die("%s: cannot be written: it is a folder; name a file in it", path);
+    if (!S_ISREG(about.st_mode))
+        die("%s: cannot be written: it is no file; redirect -o - to it", path);
+}
+
+_Noreturn static void
+die_of_output(const char *path, tri_status status)
+{
+    if (status != TRI_CANNOT_WRITE || errno == 0)
+        die("%s: %s", path, tri_status_text(status));
+    die("%s: cannot be written: %s", path, strerror(errno));
+}
+
+output
+begin_output(const char *path)
+{
+    output o;
+    errno = 0;
+    tri_status status = output_begin(&o, path);
+    if (status != TRI_OK)
+        die_of_output(path, status);
+    return o;
+}
+
+void
+finish_output(output *o, const char *path)
+{
+    tri_status status = output_commit(o);
+    if (status != TRI_OK)
+        die_of_output(strcmp(path, "-") == 0 ? "<stdout>" : path, status);
+}
+
+void
+note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles)
+{
+    if (points > locations)
+        fprintf(stderr, "tri: %lu of %lu points repeat the location of an "
+                "earlier one and are left out\n",
+                (unsigned long)(points - locations), (unsigned long)points);
+    if (triangles > 0)
+        return;
+    if (locations < 3)
+        fprintf(stderr, "tri: no triangles: there are only %lu locations\n",
+                (unsigned long)locations);
+    else
+        fprintf(stderr, "tri: no triangles: all points lie on one line\n");
+}

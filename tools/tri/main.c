@@ -1,0 +1,103 @@
+/* main.c - the program tri: triangulates, checks, draws and makes points. */
+#include "tools/tri/tri.h"
+
+#include "chapters/contents.h"
+
+#include <signal.h>
+#include <string.h>
+
+const command commands[] = {
+    {"triangulate", command_triangulate,
+     "[--algorithm NAME] [--direction DX,DY] [-o OUT.ele] [--svg FILE] "
+     "[--stats] IN",
+     "Triangulates the points of IN.\n"
+     "  --algorithm NAME   one of those below\n"
+     "  --direction DX,DY  the sweep line moves along it (1,0 if not given)\n"
+     "  -o OUT.ele         the triangles; their corners are numbered as in IN\n"
+     "  --svg FILE         a picture\n"
+     "  --stats            lines `name value` on standard output\n"
+     "With none of the last three, the triangles go to standard output.\n"},
+    {"check", command_check, "[--delaunay] POINTS TRIANGLES",
+     "Is TRIANGLES a triangulation of POINTS (a Delaunay triangulation)?\n"
+     "Exit status: 0 it is; 1 it is not, see the witness; 2 unusable.\n"},
+    {"hull", command_hull, "[-o OUT.edge] IN",
+     "The boundary of the convex hull, counterclockwise, as edges between\n"
+     "neighbouring points; those inside hull edges are included.\n"},
+    {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
+     "Makes N points, the same bytes everywhere. The seed is 1 if not given.\n"},
+    {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",
+     "Draws points, and triangles.\n"},
+    {"help", command_help, "[COMMAND]", "What you are reading.\n"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const char files[] =
+    "Files: .node, .ele and .edge of Shewchuk's Triangle; points also as\n"
+    "lines `x y` or CSV, with or without a header (columns x,y or lon,lat, else\n"
+    "the first two). `-` is standard input or output, and so is no -o.\n"
+    "Exit status: 0 done, 1 refuted (check), 2 unusable input or arguments.\n";
+
+static void
+print_commands(FILE *file)
+{
+    fprintf(file, "usage:\n");
+    for (const command *c = commands; c->name != NULL; c++)
+        fprintf(file, "  tri %s %s\n", c->name, c->usage);
+    fprintf(file, "  tri --version\n\n%s", files);
+}
+
+static void
+print_algorithms(void)
+{
+    printf("\nAlgorithms, and the section of the notes (if not given: %s):\n",
+           default_algorithm()->name);
+    for (uint32_t i = 0; i < contents_count; i++)
+        printf("  %-10s %s  %-13s  %s\n", contents[i].name, contents[i].section,
+               contents[i].delaunay ? "Delaunay" : "triangulation",
+               contents[i].summary);
+}
+
+int
+command_help(int argc, char **argv)
+{
+    expect_words(argc, argv, 0, 1);
+    if (argc == 1) {
+        print_commands(stdout);
+        return EXIT_HOLDS;
+    }
+    for (const command *c = commands; c->name != NULL; c++) {
+        if (strcmp(c->name, argv[1]) != 0)
+            continue;
+        printf("usage: tri %s %s\n\n%s", c->name, c->usage, c->help);
+        if (c->run == command_triangulate)
+            print_algorithms();
+        if (c->run == command_generate) {
+            printf("\nDistributions:\n");
+            for (const distribution *d = distributions; d->name != NULL; d++)
+                printf("  %-10s %s\n", d->name, d->summary);
+        }
+        return EXIT_HOLDS;
+    }
+    die_usage("help", "there is no command %s", argv[1]);
+}
+
+int
+main(int argc, char **argv)
+{
+    /* A reader who leaves early is an error of writing like any other. */
+    signal(SIGPIPE, SIG_IGN);
+    if (argc < 2) {
+        print_commands(stderr);
+        return EXIT_UNUSABLE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("tri 1.0\n");
+        return EXIT_HOLDS;
+    }
+    for (const command *c = commands; c->name != NULL; c++)
+        if (strcmp(argv[1], c->name) == 0)
+            return c->run(argc - 1, argv + 1);
+    fprintf(stderr, "tri: there is no command %s\n\n", argv[1]);
+    print_commands(stderr);
+    return EXIT_UNUSABLE;
+}

@@ -1,0 +1,98 @@
+/* triangulate.c - tri triangulate. */
+#include "tools/tri/tri.h"
+
+#include "lib/decimal.h"
+#include "tools/tri/watch.h"
+
+#include <string.h>
+
+const algorithm *
+default_algorithm(void)
+{
+    const algorithm *last = &contents[0];
+    for (uint32_t i = 0; i < contents_count; i++)
+        if (contents[i].delaunay)
+            last = &contents[i];
+    return last;
+}
+
+/* What was asked for. */
+typedef struct request {
+    const algorithm *algorithm;
+    tri_options options;
+    const char *triangles, *picture; /* where to; NULL: not wanted */
+    bool stats;
+    const char *points;
+} request;
+
+static point2
+parse_direction(const char *text)
+{
+    point2 d = {0, 0};
+    const char *comma = strchr(text, ',');
+    bool good = comma != NULL &&
+        decimal_read(text, (size_t)(comma - text), &d.x) == DECIMAL_NUMBER &&
+        decimal_read(comma + 1, strlen(comma + 1), &d.y) == DECIMAL_NUMBER;
+    if (!good || (d.x == 0 && d.y == 0))
+        die_usage("triangulate", "--direction %s: needed are two numbers, not "
+                  "both 0, with a comma between them, such as 0,1", text);
+    return d;
+}
+
+static bool
+is_stdout(const char *path)
+{
+    return path != NULL && strcmp(path, "-") == 0;
+}
+
+static request
+parse(int argc, char **argv)
+{
+    request r = {.algorithm = default_algorithm(),
+                 .options = tri_options_default()};
+    const char *name = take_option(&argc, argv, "--algorithm");
+    const char *direction = take_option(&argc, argv, "--direction");
+    r.triangles = take_option(&argc, argv, "-o");
+    r.picture = take_option(&argc, argv, "--svg");
+    r.stats = take_flag(&argc, argv, "--stats");
+    expect_words(argc, argv, 1, 1);
+    r.points = argv[1];
+    if (name != NULL)
+        r.algorithm = contents_find(name);
+    if (r.algorithm == NULL)
+        die_usage(argv[0], "there is no algorithm %s", name);
+    if (direction != NULL)
+        r.options.direction = parse_direction(direction);
+    if (r.triangles == NULL && r.picture == NULL && !r.stats)
+        r.triangles = "-";
+    if (is_stdout(r.triangles) + is_stdout(r.picture) + r.stats > 1)
+        die_usage(argv[0], "only one of -o, --svg and --stats can have standard "
+                  "output: name a file");
+    check_output(r.triangles);
+    check_output(r.picture);
+    return r;
+}
+
+int
+command_triangulate(int argc, char **argv)
+{
+    request r = parse(argc, argv);
+    text_points in = load_points(r.points);
+    mesh m;
+    triangle_list list;
+    must(run_watched(r.algorithm, in.points, in.count, r.options, r.stats, &m));
+    must(mesh_triangles(&m, &list));
+    note_degenerate(in.count, m.locations, list.count);
+
+    if (r.triangles != NULL) {
+        output o = begin_output(r.triangles);
+        text_write_triangles(o.file, list, in.first);
+        finish_output(&o, r.triangles);
+    }
+    if (r.picture != NULL)
+        write_picture(r.picture, r.algorithm->summary, &in, list);
+    triangle_list_free(&list);
+    mesh_free(&m);
+    text_points_free(&in);
+    return EXIT_HOLDS;
+}
