@@ -1,0 +1,250 @@
+/* Definition 4: is_triangulation accepts exactly the triangulations, and every
+ * algorithm makes one.
+ *
+ * Hypotheses: none for the algorithms. To compare the checker with the definition,
+ * small whole coordinates: then this file can decide Definition 4 by adding up
+ * areas and comparing all pairs.
+ */
+#include "chapters/2.1_simplicial_complexes/complex.h"
+#include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/contents.h"
+#include "lib/memory.h"
+#include "tests/harness/harness.h"
+
+#include <stdlib.h>
+
+static const char *const cover = "def4.P3"; /* |T| is the convex hull of V */
+
+/* ---- Every algorithm. ---- */
+
+static void
+every_algorithm_triangulates(const point2 *points, uint32_t n)
+{
+    for (uint32_t i = 0; i < contents_count; i++) {
+        mesh m;
+        triangle_list list;
+        verdict v;
+        tri_status status = contents[i].triangulate(points, n, NULL, &m);
+        CLAIM(cover, status == TRI_OK, "%s: %s", contents[i].name, tri_status_text(status));
+        claim_verdict(cover, mesh_check(&m));
+        CLAIM(cover, mesh_triangles(&m, &list) == TRI_OK, "out of memory");
+        test_picture(list);
+        CLAIM(cover, is_triangulation(points, n, list, &v) == TRI_OK, "out of memory");
+        triangle_list_free(&list);
+        mesh_free(&m);
+        claim_verdict(cover, v);
+    }
+}
+
+/* ---- Definition 4 by brute force, on integers. ---- */
+
+static double
+twice_area(const point2 *p, const vertex_id *c)
+{
+    return (p[c[1]].x - p[c[0]].x) * (p[c[2]].y - p[c[0]].y) -
+           (p[c[1]].y - p[c[0]].y) * (p[c[2]].x - p[c[0]].x);
+}
+
+/* Twice the area of the convex hull: of each two points with all others on the left
+ * of their line or on it, the triangle they make with point 0; along a line only
+ * the two farthest count, which are those with nothing beyond them. */
+static double
+twice_hull_area(const point2 *p, uint32_t n)
+{
+    double sum = 0;
+    for (vertex_id a = 0; a < n; a++)
+        for (vertex_id b = 0; b < n; b++) {
+            bool edge = a != b;
+            for (vertex_id c = 0; c < n && edge; c++) {
+                double side = twice_area(p, (vertex_id[]){a, b, c});
+                double inside = (p[c].x - p[a].x) * (p[c].x - p[b].x) +
+                                (p[c].y - p[a].y) * (p[c].y - p[b].y);
+                edge = side > 0 || (side == 0 && inside <= 0);
+            }
+            if (edge)
+                sum += twice_area(p, (vertex_id[]){0, a, b});
+        }
+    return sum;
+}
+
+static simplex
+sorted(vertex_id a, vertex_id b, vertex_id c)
+{
+    vertex_id low = a < b ? a : b, high = a < b ? b : a;
+    if (c < low)
+        return (simplex){2, {c, low, high}};
+    return c < high ? (simplex){2, {low, c, high}} : (simplex){2, {low, high, c}};
+}
+
+static bool
+is_triangulation_by_definition(const point2 *p, uint32_t n, triangle_list list)
+{
+    double area = 0;
+    bool holds = true;
+    bool *used = calloc(n + 1, sizeof *used);
+    simplex *triangle = malloc((list.count + 1) * sizeof *triangle);
+    for (uint32_t t = 0; t < list.count && holds; t++) {
+        const vertex_id *c = list.corner[t];
+        double a = twice_area(p, c);
+        area += a;
+        holds = a > 0;
+        used[c[0]] = used[c[1]] = used[c[2]] = true;
+        triangle[t] = sorted(c[0], c[1], c[2]);
+        for (uint32_t s = 0; s < t; s++)
+            holds = holds && !(simplex_is_face(triangle[s], triangle[t]));
+    }
+    for (vertex_id v = 0; v < n && list.count > 0; v++)
+        holds = holds && used[v];
+    simplex_list K = {0};
+    if (holds && simplex_closure((simplex_list){list.count, triangle}, &K) == TRI_OK)
+        holds = is_complex(p, n, K).holds; /* certified against Definition 3 in 2.1_def3 */
+    simplex_list_free(&K);
+    free(triangle);
+    free(used);
+    return holds && area == twice_hull_area(p, n);
+}
+
+/* ---- The checker against the definition, on lists with a few faults. ---- */
+
+static void
+spoil(triangle_list *list, uint32_t n, random_source *r)
+{
+    uint32_t t = random_below(r, list->count), s = random_below(r, list->count);
+    vertex_id *c = list->corner[t];
+    switch (random_below(r, 5)) {
+    case 0: /* a triangle is missing */
+        for (int i = 0; i < 3; i++)
+            c[i] = list->corner[list->count - 1][i];
+        list->count--;
+        break;
+    case 1: /* a corner is wrong */
+        c[random_below(r, 3)] = random_below(r, n);
+        break;
+    case 2: /* a triangle is clockwise */
+        c[0] ^= c[1], c[1] ^= c[0], c[0] ^= c[1];
+        break;
+    case 3: /* one triangle twice, another not at all */
+        for (int i = 0; i < 3; i++)
+            c[i] = list->corner[s][i];
+        break;
+    default: /* another first corner: no fault */
+        c[0] ^= c[1], c[1] ^= c[0], c[0] ^= c[1];
+        c[1] ^= c[2], c[2] ^= c[1], c[1] ^= c[2];
+    }
+}
+
+static void
+accepts_exactly_the_triangulations(const point2 *points, uint32_t n)
+{
+    random_source *r = test_random_source();
+    for (int repeat = 0; repeat < 4; repeat++) {
+        mesh m;
+        triangle_list list;
+        verdict v;
+        CLAIM("def4.P4", sweep_triangulate(points, n, NULL, &m) == TRI_OK &&
+              mesh_triangles(&m, &list) == TRI_OK, "no triangles");
+        mesh_free(&m);
+        for (uint32_t faults = random_below(r, 4); faults > 0 && list.count > 0; faults--)
+            spoil(&list, n, r);
+        bool expected = is_triangulation_by_definition(points, n, list);
+        tri_status status = is_triangulation(points, n, list, &v);
+        test_picture(list);
+        triangle_list_free(&list);
+        CLAIM("def4.P4", status == TRI_OK, "%s", tri_status_text(status));
+        CLAIM(v.holds ? "def4.P4" : "def4.P5", v.holds == expected,
+              "is_triangulation says %s (%s)", v.holds ? "yes" : "no", v.because);
+    }
+}
+
+/* ---- Single cases. ---- */
+
+static verdict
+check(const point2 *points, uint32_t n, vertex_id (*corner)[3], uint32_t count)
+{
+    verdict v;
+    tri_status status = is_triangulation(points, n, (triangle_list){count, corner}, &v);
+    CLAIM("def4.P4", status == TRI_OK, "%s", tri_status_text(status));
+    return v;
+}
+
+/* A boundary that always turns left, and runs around twice. */
+static void
+a_pentagram_is_no_hull(void)
+{
+    const point2 points[] = {{0, 0}, {10, 0}, {3, 10}, {-8, 6}, {-8, -6}, {3, -10}};
+    vertex_id corner[5][3];
+    for (vertex_id i = 0; i < 5; i++) {
+        corner[i][0] = 0;
+        corner[i][1] = 1 + i;
+        corner[i][2] = 1 + (i + 2) % 5;
+    }
+    verdict v = check(points, 6, corner, 5);
+    CLAIM("def4.P2", !v.holds, "five triangles that cover the middle twice");
+    CLAIM("def4.P1", v.witnesses > 0, "without a witness");
+}
+
+static void
+faults_have_witnesses(void)
+{
+    const point2 p[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+    const point2 q[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {2, 2}};
+    vertex_id bay[][3] = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}};
+    vertex_id twice[][3] = {{0, 1, 2}, {0, 1, 3}};
+    vertex_id clockwise[][3] = {{0, 1, 2}, {0, 3, 2}};
+    vertex_id two_names[][3] = {{0, 1, 2}, {0, 4, 3}};
+    vertex_id beyond[][3] = {{0, 1, 9}};
+    vertex_id touching[][3] = {{0, 1, 4}, {4, 2, 3}};
+    CLAIM("def4.P2", check(p, 5, bay, 3).witness[0] == 4, "the bay at vertex 4");
+    CLAIM("def4.P1", !check(p, 4, twice, 2).holds, "two triangles left of one edge");
+    CLAIM("def4.P3", check(p, 4, clockwise, 2).witnesses == 3, "a clockwise triangle");
+    CLAIM("def4.P4", check(q, 5, two_names, 2).witnesses == 2, "one point, two vertices");
+    CLAIM("def4.P3", !check(p, 4, beyond, 1).holds, "vertex 9 of 4");
+    CLAIM("def4.P2", !check(p, 5, touching, 2).holds, "two triangles at a vertex");
+    CLAIM("def4.P3", !check(p, 4, NULL, 0).holds, "no triangle for a square");
+}
+
+static void
+e3_collinear_points_have_no_triangle(void)
+{
+    const point2 points[] = {{0, 0}, {1, 0}, {2, 0}};
+    vertex_id flat[][3] = {{0, 1, 2}};
+    CLAIM("E3", check(points, 3, NULL, 0).holds, "the empty list is refused");
+    CLAIM("E3", !check(points, 3, flat, 1).holds, "a flat triangle is accepted");
+    /* And V must be used: (1,1) below is no vertex of the two triangles. */
+    const point2 square[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+    vertex_id two[][3] = {{0, 1, 2}, {0, 2, 3}};
+    verdict v = check(square, 5, two, 2);
+    CLAIM("E3", !v.holds && v.witness[0] == 4, "an unused point is accepted");
+}
+
+static void
+memory_may_run_out(void)
+{
+    const point2 p[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    vertex_id corner[][3] = {{0, 1, 2}, {0, 2, 3}};
+    triangle_list list = {2, corner};
+    verdict v;
+    tri_status status = TRI_OUT_OF_MEMORY;
+    for (unsigned long k = 1; status == TRI_OUT_OF_MEMORY; k++) {
+        memory_fail_at(k);
+        status = is_triangulation(p, 4, list, &v);
+        memory_fail_at(0);
+    }
+    CLAIM("def4.P4", status == TRI_OK && v.holds, "%s", tri_status_text(status));
+}
+
+int
+main(int argc, char **argv)
+{
+    test_begin(argc, argv, "Definition 4: V is the vertex set of T, |T| its convex hull");
+    test_random("every algorithm", every_algorithm_triangulates, 3000, 100);
+    test_near_degenerate("every algorithm", every_algorithm_triangulates, 3000, 40);
+    test_grid_subsets("every algorithm", every_algorithm_triangulates, 4);
+    test_grid_subsets("exactly the triangulations", accepts_exactly_the_triangulations, 4);
+    test_run("a pentagram", a_pentagram_is_no_hull);
+    test_run("faults have witnesses", faults_have_witnesses);
+    test_run("E3: collinear points", e3_collinear_points_have_no_triangle);
+    test_run("memory may run out", memory_may_run_out);
+    return test_end((test_minima){.trials = 60000, .largest_n = 80, .zeros = 100000,
+                                  .expansions = 1000, .wide = 1000});
+}

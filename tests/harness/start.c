@@ -1,0 +1,35 @@
+/* start.c - triangulations to begin with. */
+#include "tests/harness/start.h"
+
+#include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.5_edge_flips/flips.h"
+
+#include <stdlib.h>
+
+void
+random_triangulation(const point2 *points, uint32_t n, mesh *out)
+{
+    random_source *r = test_random_source();
+    tri_options options = tri_options_default();
+    options.direction = (point2){random_unit(r) - 0.5, random_unit(r) - 0.75};
+    tri_status status = sweep_triangulate(points, n, &options, out);
+    CLAIM("fig3.P3", status == TRI_OK, "%s", tri_status_text(status));
+    if (out->triangles == 0)
+        return;
+    for (uint32_t flips = random_below(r, 4 * n); flips > 0; flips--) {
+        halfedge_id e = random_below(r, mesh_halfedges(out));
+        if (is_flippable(out, points, e))
+            flip(out, e);
+    }
+}
+
+point2 *
+whole_points(uint32_t n, uint32_t most)
+{
+    random_source *r = test_random_source();
+    point2 *points = malloc((n + 1) * sizeof *points);
+    for (uint32_t i = 0; i < n && points != NULL; i++)
+        points[i] = (point2){random_below(r, most + 1), random_below(r, most + 1)};
+    CLAIM("fig3.P3", points != NULL, "out of memory");
+    return points;
+}

@@ -1,0 +1,17 @@
+/* start.h - triangulations to begin with, for the tests of flips. */
+#ifndef TESTS_START_H
+#define TESTS_START_H
+
+#include "lib/mesh.h"
+#include "tests/harness/harness.h"
+
+/* Some triangulation of the points: a sweep in a random direction and then random
+ * flips, of which any number may be none. Fails the trial when there is no memory. */
+void random_triangulation(const point2 *points, uint32_t n, mesh *out);
+
+/* n points with whole coordinates 0 .. most, few of them or as many as n: small
+ * enough to compute with them exactly in a test. They replace the drawn ones, so
+ * that the trial's size and seed still decide. The caller frees them. */
+point2 *whole_points(uint32_t n, uint32_t most);
+
+#endif
