@@ -1,7 +1,7 @@
-/* figures.h - what every program that draws a section's figures begins and ends with.
+/* figures.h - the frame of every program that draws a section's figures.
  *
- * Needs: lib/output.h. Included by chapters/SECTION/figures.c only: programs, so
- * they may print and exit.
+ * Needs: lib/output.h. Included by chapters/SECTION/figures.c only: programs,
+ * so they may print and exit.
  */
 #ifndef CHAPTERS_FIGURES_H
 #define CHAPTERS_FIGURES_H
@@ -38,7 +38,8 @@ draw_figures(int argc, char **argv, const figure *figures, size_t count)
     }
     for (size_t i = 0; i < count; i++) {
         char path[4096];
-        int length = snprintf(path, sizeof path, "%s/%s.svg", argv[1], figures[i].name);
+        int length = snprintf(path, sizeof path, "%s/%s.svg", argv[1],
+                              figures[i].name);
         must(length < (int)sizeof path ? TRI_OK : TRI_CANNOT_WRITE, argv[1]);
         output o;
         must(output_begin(&o, path), path);

@@ -1,19 +1,22 @@
 /* svg.c - pictures, written as plain SVG 1.1 with one style sheet. */
 #include "lib/svg.h"
 
+#include "lib/svg_write.h"
+
 #include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 
 /* Every rule begins with .tri, so that a picture can stand inside a web page
- * without repainting it. Colours: Okabe and Ito (2008), lighter on dark. Lengths in
- * em are the panel's, see svg_panel; texts have a size of their own. */
+ * without repainting it. Colours: Okabe and Ito (2008), lighter on dark. An em
+ * is the panel's, see svg_panel; texts have a size of their own. */
 static const char style_sheet[] =
     "<style>\n"
     ".tri{font:13px sans-serif;color:#222}\n"
     ".tri .paper{fill:#fff}\n"
-    ".tri path,.tri circle{fill:none;stroke:currentColor;stroke-linejoin:round}\n"
+    ".tri path,.tri circle"
+    "{fill:none;stroke:currentColor;stroke-linejoin:round}\n"
     ".tri text{fill:currentColor;font-size:13px}\n"
     ".tri .label{stroke:#fff;stroke-width:3px;stroke-linejoin:round;"
     "paint-order:stroke;text-anchor:middle}\n"
@@ -22,9 +25,11 @@ static const char style_sheet[] =
     ".tri .new{color:#0072b2;stroke-width:.2em}\n"
     ".tri .mark{color:#e69f00;stroke-width:.6em;stroke-linecap:round}\n"
     ".tri .bad{color:#d55e00;stroke-width:.22em;stroke-dasharray:.6em .3em}\n"
-    ".tri .good{color:#009e73;stroke-width:.15em}\n"
+    ".tri .good{color:#009e73;stroke-width:.18em}\n"
     ".tri .faint{color:#777;stroke-width:.1em;stroke-dasharray:.2em .3em}\n"
-    ".tri .dots{stroke-width:.55em;stroke-linecap:round;stroke-dasharray:none}\n"
+    ".tri .dots{stroke-width:.55em;stroke-linecap:round;"
+    "stroke-dasharray:none}\n"
+    ".tri .dots.faint{stroke-width:.4em}\n"
     ".tri .dots.new,.tri .dots.bad,.tri .dots.strong{stroke-width:.85em}\n"
     ".tri .dots.mark{stroke-width:1.5em}\n"
     ".tri .area{fill:currentColor;fill-opacity:.12;stroke:none}\n"
@@ -41,84 +46,13 @@ static const char style_sheet[] =
 static const char *const class_of[] = {"plain", "strong", "new",  "mark",
                                        "bad",   "good",   "faint"};
 
-/* ---- Numbers and texts. ---- */
-
-/* Far outside every panel, and small enough to be written. */
+/* Far outside every panel. */
 static const double FAR = 1e5;
 
 static double
 clamp(double v, double low, double high)
 {
     return v > low ? (v < high ? v : high) : low;
-}
-
-/* A number in hundredths, by integers: printf's %f depends on the locale. */
-static void
-put_number(svg *page, double v)
-{
-    long hundredths = lround(100 * clamp(v, -FAR, FAR));
-    long size = hundredths < 0 ? -hundredths : hundredths;
-    fprintf(page->file, "%s%ld", hundredths < 0 ? "-" : "", size / 100);
-    if (size % 10 != 0)
-        fprintf(page->file, ".%02ld", size % 100);
-    else if (size % 100 != 0)
-        fprintf(page->file, ".%ld", size % 100 / 10);
-}
-
-static void
-put_attribute(svg *page, const char *name, double v)
-{
-    fprintf(page->file, " %s=\"", name);
-    put_number(page, v);
-    fputc('"', page->file);
-}
-
-/* A step of a path: a letter of the path language and a position. */
-static void
-put_step(svg *page, char letter, point2 p)
-{
-    fputc(letter, page->file);
-    put_number(page, p.x);
-    fputc(' ', page->file);
-    put_number(page, p.y);
-}
-
-/* How many bytes does the character at s have, if XML allows it; else 0. */
-static int
-character_length(const unsigned char *s)
-{
-    if (s[0] < 0x80)
-        return s[0] >= 0x20 && s[0] != 0x7f;
-    int length = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
-    const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    uint32_t code = s[0] & (0xffu >> (length + 1));
-    for (int i = 1; i < length; i++) {
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-        code = code << 6 | (s[i] & 0x3f);
-    }
-    bool wrong = s[0] < 0xc0 || s[0] >= 0xf8 || code < least[length] ||
-                 code > 0x10fffd || (code >= 0xd800 && code < 0xe000) ||
-                 (code & 0xfffe) == 0xfffe;
-    return wrong ? 0 : length;
-}
-
-/* The text up to its end or the end of its line; returns what comes after that. */
-static const char *
-put_text(svg *page, const char *text)
-{
-    const unsigned char *s = (const unsigned char *)text;
-    while (*s != '\0' && *s != '\n') {
-        int length = character_length(s);
-        if (length == 0)
-            fputc('?', page->file);
-        else if (*s == '<' || *s == '>' || *s == '&')
-            fputs(*s == '<' ? "&lt;" : *s == '>' ? "&gt;" : "&amp;", page->file);
-        else
-            fwrite(s, 1, (size_t)length, page->file);
-        s += length == 0 ? 1 : length;
-    }
-    return (const char *)s + (*s == '\n');
 }
 
 /* ---- From the world to the panel. ---- */
@@ -138,14 +72,15 @@ svg_box_of(const point2 *points, uint32_t n)
     return box;
 }
 
-/* The power of two above the box's largest coordinate: scaled by its inverse, no
- * sum or difference of coordinates overflows. */
+/* The power of two above the box's largest coordinate: scaled by its inverse,
+ * no sum or difference of coordinates overflows. */
 static int
 exponent_of(svg_box box)
 {
     int exponent;
-    (void)frexp(fmax(fmax(fabs(box.min.x), fabs(box.min.y)),
-                     fmax(fabs(box.max.x), fabs(box.max.y))), &exponent);
+    double largest_x = fmax(fabs(box.min.x), fabs(box.max.x));
+    double largest_y = fmax(fabs(box.min.y), fabs(box.max.y));
+    (void)frexp(fmax(largest_x, largest_y), &exponent);
     return exponent;
 }
 
@@ -169,7 +104,8 @@ static void
 fit(svg *page, svg_box box, double margin)
 {
     page->exponent = exponent_of(box);
-    point2 min = scaled(box.min, page->exponent), max = scaled(box.max, page->exponent);
+    point2 min = scaled(box.min, page->exponent);
+    point2 max = scaled(box.max, page->exponent);
     double half_x = (max.x - min.x) / 2, half_y = (max.y - min.y) / 2;
     double room_x = page->layout.width / 2 - margin;
     double room_y = page->layout.height / 2 - margin;
@@ -208,15 +144,16 @@ svg_begin(svg *page, FILE *file, svg_layout layout, const char *title,
     *page = (svg){.file = file, .layout = layout};
     double width = GAP + layout.columns * (layout.width + GAP);
     double height = GAP + layout.rows * panel_step_y(&layout);
-    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"tri\" role=\"img\"", file);
-    put_attribute(page, "width", width);
-    put_attribute(page, "height", height);
+    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\"", file);
+    fputs(" class=\"tri\" role=\"img\"", file);
+    svg_put_attribute(page->file, "width", width);
+    svg_put_attribute(page->file, "height", height);
     fputs(" viewBox=\"0 0", file);
-    put_step(page, ' ', (point2){width, height});
+    svg_put_step(page->file, ' ', (point2){width, height});
     fputs("\">\n<title>", file);
-    put_text(page, title);
+    svg_put_text(page->file, title);
     fputs("</title>\n<desc>", file);
-    put_text(page, description);
+    svg_put_text(page->file, description);
     fprintf(file, "</desc>\n%s", style_sheet);
     fputs("<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n", file);
 }
@@ -239,30 +176,33 @@ void
 svg_panel(svg *page, svg_box box, uint32_t n, const char *caption)
 {
     const svg_layout *layout = &page->layout;
-    uint32_t column = page->panels % layout->columns, row = page->panels / layout->columns;
+    uint32_t column = page->panels % layout->columns;
+    uint32_t row = page->panels / layout->columns;
     assert(row < layout->rows);
     end_panel(page);
     page->panels++;
     page->inks = 0;
-    page->em = clamp(sqrt(layout->width * layout->height / (n + 1.0)) / 5, 2, 13);
+    double pixels_a_point = layout->width * layout->height / (n + 1.0);
+    page->em = clamp(sqrt(pixels_a_point) / 4.5, 2, 13);
     fit(page, box, 8 + 1.3 * page->em);
 
     double x = GAP + column * (layout->width + GAP);
     double y = GAP + row * panel_step_y(layout);
-    for (uint32_t line = 0; *caption != '\0' && line < layout->caption_lines; line++) {
+    double baseline = y + layout->height + 0.8 * CAPTION_LINE;
+    for (uint32_t line = 0; line < layout->caption_lines; line++) {
         fputs("<text", page->file);
-        put_attribute(page, "x", x);
-        put_attribute(page, "y", y + layout->height + CAPTION_LINE * (line + 0.8));
+        svg_put_attribute(page->file, "x", x);
+        svg_put_attribute(page->file, "y", baseline + CAPTION_LINE * line);
         fputc('>', page->file);
-        caption = put_text(page, caption);
+        caption = svg_put_text(page->file, caption);
         fputs("</text>\n", page->file);
     }
-    fputs("<svg", page->file); /* an svg within the svg cuts off what is outside */
-    put_attribute(page, "x", x);
-    put_attribute(page, "y", y);
-    put_attribute(page, "width", layout->width);
-    put_attribute(page, "height", layout->height);
-    put_attribute(page, "font-size", page->em);
+    fputs("<svg", page->file); /* an inner svg cuts off what is outside it */
+    svg_put_attribute(page->file, "x", x);
+    svg_put_attribute(page->file, "y", y);
+    svg_put_attribute(page->file, "width", layout->width);
+    svg_put_attribute(page->file, "height", layout->height);
+    svg_put_attribute(page->file, "font-size", page->em);
     fputs(">\n", page->file);
 }
 
@@ -313,8 +253,8 @@ static void
 draw_segment(svg *page, point2 a, point2 b, svg_style style)
 {
     begin_path(page, "", style);
-    put_step(page, 'M', a);
-    put_step(page, 'L', b);
+    svg_put_step(page->file, 'M', a);
+    svg_put_step(page->file, 'L', b);
     end_path(page);
     svg_remember(page, a, b, (style == SVG_MARK ? 0.3 : 0.1) * page->em);
 }
@@ -325,21 +265,36 @@ draw_head(svg *page, point2 a, point2 b, bool half, svg_style style)
 {
     point2 d = toward(a, b), tail = moved(b, d, -0.9 * page->em);
     begin_path(page, "head ", style);
-    put_step(page, 'M', b);
-    put_step(page, 'L', moved(tail, left_of(d), 0.4 * page->em));
-    put_step(page, 'L', half ? tail : moved(tail, left_of(d), -0.4 * page->em));
+    svg_put_step(page->file, 'M', b);
+    svg_put_step(page->file, 'L', moved(tail, left_of(d), 0.4 * page->em));
+    svg_put_step(page->file, 'L',
+                 half ? tail : moved(tail, left_of(d), -0.4 * page->em));
     end_path(page);
+}
+
+double
+svg_text_width(const char *text)
+{
+    double width = 0;
+    for (const char *s = text; *s != '\0'; s++)
+        if (((unsigned char)*s & 0xc0) != 0x80) /* a character begins */
+            width += 7.6;
+    return width;
 }
 
 void
 svg_text(svg *page, point2 at, const char *text, svg_style style)
 {
     fprintf(page->file, "<text class=\"label %s\"", class_of[style]);
-    put_attribute(page, "x", at.x);
-    put_attribute(page, "y", at.y + 4.5);
+    svg_put_attribute(page->file, "x", at.x);
+    svg_put_attribute(page->file, "y", at.y + 4.5);
     fputc('>', page->file);
-    put_text(page, text);
+    svg_put_text(page->file, text);
     fputs("</text>\n", page->file);
+
+    double half = fmax(svg_text_width(text) / 2 - 6, 0);
+    point2 left = {at.x - half, at.y}, right = {at.x + half, at.y};
+    svg_remember(page, left, right, 6);
 }
 
 void
@@ -348,7 +303,7 @@ svg_points(svg *page, const point2 *points, uint32_t n, svg_style style)
     begin_path(page, "dots ", style); /* a line of length 0 with round ends */
     for (uint32_t i = 0; i < n; i++) {
         point2 at = svg_place(page, points[i]);
-        put_step(page, 'M', at);
+        svg_put_step(page->file, 'M', at);
         fputs("h0", page->file);
         svg_remember(page, at, at, 0.4 * page->em);
     }
@@ -365,8 +320,16 @@ void
 svg_arrow(svg *page, point2 a, point2 b, svg_style style)
 {
     point2 from = svg_place(page, a), to = svg_place(page, b);
-    draw_segment(page, from, moved(to, toward(from, to), -0.6 * page->em), style);
+    point2 d = toward(from, to);
+    draw_segment(page, from, moved(to, d, -0.6 * page->em), style);
     draw_head(page, from, to, false, style);
+}
+
+/* How far does a text reach from its middle in direction d? */
+static double
+reach_along(point2 d, const char *text)
+{
+    return fabs(d.x) * svg_text_width(text) / 2 + fabs(d.y) * 6;
 }
 
 void
@@ -380,11 +343,12 @@ svg_halfedge(svg *page, point2 a, point2 b, const char *name, svg_style style)
     draw_segment(page, from, to, style);
     draw_head(page, from, to, true, style);
     point2 middle = {from.x / 2 + to.x / 2, from.y / 2 + to.y / 2};
-    svg_text(page, moved(middle, left, 8 + 2 * fabs(left.x)), name, style);
+    middle = moved(middle, left, 3 + reach_along(left, name));
+    svg_text(page, middle, name, style);
 }
 
-/* The parallel lines over a triangle: where x+y (new) or x-y (bad) is a multiple of
- * the gap, each crosses exactly two of its sides or none. */
+/* The parallel lines over a triangle: where x+y (new) or x-y (bad) is a
+ * multiple of the gap, each crosses exactly two of its sides or none. */
 static void
 draw_hatch(svg *page, const point2 corner[3], svg_style style)
 {
@@ -400,7 +364,8 @@ draw_hatch(svg *page, const point2 corner[3], svg_style style)
             if ((at_p < 0) == (at_q < 0))
                 continue;
             double t = at_p / (at_p - at_q);
-            put_step(page, letter, (point2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+            point2 on_side = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+            svg_put_step(page->file, letter, on_side);
             letter = 'L';
         }
     }
@@ -410,10 +375,11 @@ draw_hatch(svg *page, const point2 corner[3], svg_style style)
 void
 svg_triangle(svg *page, point2 a, point2 b, point2 c, svg_style style)
 {
-    const point2 corner[3] = {svg_place(page, a), svg_place(page, b), svg_place(page, c)};
+    const point2 corner[3] = {svg_place(page, a), svg_place(page, b),
+                              svg_place(page, c)};
     begin_path(page, "area ", style);
     for (int i = 0; i < 3; i++)
-        put_step(page, i == 0 ? 'M' : 'L', corner[i]);
+        svg_put_step(page->file, i == 0 ? 'M' : 'L', corner[i]);
     end_path(page);
     if (style == SVG_NEW || style == SVG_BAD)
         draw_hatch(page, corner, style);
@@ -424,17 +390,18 @@ svg_rectangle(svg *page, svg_box box, svg_style style)
 {
     point2 low = svg_place(page, box.min), high = svg_place(page, box.max);
     begin_path(page, "box ", style);
-    put_step(page, 'M', low);
-    put_step(page, 'L', (point2){high.x, low.y});
-    put_step(page, 'L', high);
-    put_step(page, 'L', (point2){low.x, high.y});
+    svg_put_step(page->file, 'M', low);
+    svg_put_step(page->file, 'L', (point2){high.x, low.y});
+    svg_put_step(page->file, 'L', high);
+    svg_put_step(page->file, 'L', (point2){low.x, high.y});
     end_path(page);
 }
 
 void
 svg_circle(svg *page, point2 a, point2 b, point2 c, svg_style style)
 {
-    point2 p = svg_place(page, a), q = svg_place(page, b), r = svg_place(page, c);
+    point2 p = svg_place(page, a), q = svg_place(page, b);
+    point2 r = svg_place(page, c);
     double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
     double area = 2 * (qx * ry - qy * rx);
     double qq = qx * qx + qy * qy, rr = rx * rx + ry * ry;
@@ -442,35 +409,48 @@ svg_circle(svg *page, point2 a, point2 b, point2 c, svg_style style)
     double radius = sqrt(x * x + y * y);
     if (!(radius < FAR)) { /* as good as straight */
         point2 d = toward(p, qq > rr ? q : r);
-        draw_segment(page, moved(p, d, -FAR / 10), moved(p, d, FAR / 10), style);
+        point2 end = moved(p, d, FAR / 10);
+        draw_segment(page, moved(p, d, -FAR / 10), end, style);
         return;
     }
     fprintf(page->file, "<circle class=\"%s\"", class_of[style]);
-    put_attribute(page, "cx", p.x + x);
-    put_attribute(page, "cy", p.y + y);
-    put_attribute(page, "r", radius);
+    svg_put_attribute(page->file, "cx", p.x + x);
+    svg_put_attribute(page->file, "cy", p.y + y);
+    svg_put_attribute(page->file, "r", radius);
     fputs("/>\n", page->file);
 }
 
 void
-svg_angle(svg *page, point2 at, point2 a, point2 b, const char *name, svg_style style)
+svg_angle(svg *page, point2 at, point2 a, point2 b, const char *name,
+          svg_style style)
 {
     point2 o = svg_place(page, at);
-    point2 to_a = toward(o, svg_place(page, a)), to_b = toward(o, svg_place(page, b));
+    point2 to_a = toward(o, svg_place(page, a));
+    point2 to_b = toward(o, svg_place(page, b));
     double radius = 2 * page->em;
     begin_path(page, "", style);
-    put_step(page, 'M', moved(o, to_a, radius));
-    put_step(page, 'A', (point2){radius, radius});
+    svg_put_step(page->file, 'M', moved(o, to_a, radius));
+    svg_put_step(page->file, 'A', (point2){radius, radius});
     fputs(" 0 0 0", page->file); /* not turned, the short way, to the left */
-    put_step(page, ' ', moved(o, to_b, radius));
+    svg_put_step(page->file, ' ', moved(o, to_b, radius));
     end_path(page);
-    point2 middle = {to_a.x + to_b.x, to_a.y + to_b.y};
-    middle = toward((point2){0, 0}, middle);
-    svg_text(page, moved(o, middle, radius + 10), name, style);
+
+    /* The name stands beyond the arc, where the angle is as wide as it. */
+    point2 sum = {to_a.x + to_b.x, to_a.y + to_b.y};
+    point2 middle = toward((point2){0, 0}, sum);
+    double cosine = sqrt(sum.x * sum.x + sum.y * sum.y) / 2; /* of the half */
+    double sine = sqrt(fmax(1 - cosine * cosine, 0.01));
+    double needed = reach_along(left_of(middle), name) * cosine / sine;
+    double away = fmax(radius + 3, needed) + reach_along(middle, name);
+    point2 summit = moved(o, middle, radius);
+    svg_remember(page, moved(o, to_a, radius), summit, 2);
+    svg_remember(page, moved(o, to_b, radius), summit, 2);
+    svg_text(page, moved(o, middle, away), name, style);
 }
 
 void
-svg_triangles(svg *page, const point2 *points, triangle_list list, svg_style style)
+svg_triangles(svg *page, const point2 *points, triangle_list list,
+              svg_style style)
 {
     if (list.count == 0)
         return;
@@ -479,7 +459,7 @@ svg_triangles(svg *page, const point2 *points, triangle_list list, svg_style sty
         point2 corner[3];
         for (int i = 0; i < 3; i++) {
             corner[i] = svg_place(page, points[list.corner[t][i]]);
-            put_step(page, i == 0 ? 'M' : 'L', corner[i]);
+            svg_put_step(page->file, i == 0 ? 'M' : 'L', corner[i]);
         }
         fputc('z', page->file);
         for (int i = 0; i < 3; i++)

@@ -1,4 +1,4 @@
-/* svg_pictures.c - labels that keep clear, and pictures of meshes and verdicts. */
+/* svg_pictures.c - labels that keep clear; pictures of meshes and verdicts. */
 #include "lib/svg.h"
 
 #include <math.h>
@@ -9,10 +9,11 @@ static double
 distance_to_segment(point2 p, point2 a, point2 b)
 {
     double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-    double t = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
-    t = fmin(fmax(t, 0), 1);
+    double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+    double t = length2 > 0 ? fmin(fmax(along / length2, 0), 1) : 0;
     point2 foot = {a.x + t * dx, a.y + t * dy};
-    return sqrt((p.x - foot.x) * (p.x - foot.x) + (p.y - foot.y) * (p.y - foot.y));
+    return sqrt((p.x - foot.x) * (p.x - foot.x) +
+                (p.y - foot.y) * (p.y - foot.y));
 }
 
 static double
@@ -34,7 +35,7 @@ gap_between(svg_ink p, svg_ink q)
     return (crossing ? 0 : fmin(near_p, near_q)) - p.radius - q.radius;
 }
 
-/* The least gap between a label and what is remembered or the panel's border. */
+/* The least gap between a label and other ink or the panel's border. */
 static double
 room_for(const svg *page, svg_ink label)
 {
@@ -52,20 +53,16 @@ void
 svg_label(svg *page, point2 at, const char *text, svg_style style)
 {
     static const point2 direction[] = {
-        {0.7, -0.7}, {1, 0}, {0, -1}, {-0.7, -0.7}, {0.7, 0.7}, {-1, 0}, {0, 1},
-        {-0.7, 0.7}, {0.92, -0.38}, {0.38, -0.92}, {-0.38, -0.92}, {-0.92, -0.38},
-        {-0.92, 0.38}, {-0.38, 0.92}, {0.38, 0.92}, {0.92, 0.38}};
+        {0.7, -0.7},   {1, 0},        {0, -1},        {-0.7, -0.7},
+        {0.7, 0.7},    {-1, 0},       {0, 1},         {-0.7, 0.7},
+        {0.92, -0.38}, {0.38, -0.92}, {-0.38, -0.92}, {-0.92, -0.38},
+        {-0.92, 0.38}, {-0.38, 0.92}, {0.38, 0.92},   {0.92, 0.38}};
     const double radius = 6, enough = 3;
-    double half_length = -radius; /* a line with round ends as long as the text */
-    for (const char *s = text; *s != '\0'; s++)
-        if (((unsigned char)*s & 0xc0) != 0x80) /* the first byte of a character */
-            half_length += 3.8;
-    half_length = fmax(half_length, 0);
-
+    double half_length = fmax(svg_text_width(text) / 2 - radius, 0);
     point2 p = svg_place(page, at);
     svg_ink best = {p, p, radius};
     double most = -1e9;
-    for (int i = 0; i < 48; i++) { /* every direction, then again further away */
+    for (int i = 0; i < 48; i++) { /* all directions, then again further away */
         point2 d = direction[i % 16];
         double away = 10 + 5.0 * (i / 16);
         double x = p.x + d.x * (away + half_length), y = p.y + d.y * away;
@@ -76,8 +73,8 @@ svg_label(svg *page, point2 at, const char *text, svg_style style)
             best = label;
         }
     }
-    svg_text(page, (point2){best.a.x / 2 + best.b.x / 2, best.a.y}, text, style);
-    svg_remember(page, best.a, best.b, radius);
+    point2 middle = {best.a.x / 2 + best.b.x / 2, best.a.y};
+    svg_text(page, middle, text, style);
 }
 
 static void
@@ -107,13 +104,14 @@ svg_mesh(svg *page, const point2 *points, const mesh *m)
         vertex_id a = mesh_origin(m, e), b = mesh_dest(m, e);
         if (a == GHOST || b == GHOST || e > mesh_twin(m, e))
             continue; /* the edge has been drawn from its other side */
-        bool hull = mesh_is_hull_edge(m, e) || mesh_is_hull_edge(m, mesh_twin(m, e));
-        svg_segment(page, points[a], points[b], hull ? SVG_STRONG : SVG_PLAIN);
+        svg_segment(page, points[a], points[b],
+                    mesh_is_interior(m, e) ? SVG_PLAIN : SVG_STRONG);
     }
 }
 
 void
-svg_triangulation(svg *page, const point2 *points, uint32_t n, triangle_list list)
+svg_triangulation(svg *page, const point2 *points, uint32_t n,
+                  triangle_list list)
 {
     svg_triangles(page, points, list, SVG_PLAIN);
     svg_points(page, points, n, SVG_PLAIN);

@@ -1,5 +1,5 @@
-/* figures.c - the pictures of section 2.3. What is drawn is what the code does: the
- * sweep runs under an observer, or is made step by step with its own verbs.
+/* figures.c - the pictures of section 2.3. What is drawn is what the code does:
+ * the sweep runs under an observer, or is made step by step with its own verbs.
  */
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/figures.h"
@@ -21,7 +21,8 @@ draw_sweep_line(svg *page, svg_box box, point2 p)
 
 /* The points, named v1, v2, ... in the order of L. */
 static void
-label_in_order(svg *page, const point2 *points, const vertex_id *L, uint32_t count)
+label_in_order(svg *page, const point2 *points, const vertex_id *L,
+               uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         char name[16];
@@ -30,23 +31,26 @@ label_in_order(svg *page, const point2 *points, const vertex_id *L, uint32_t cou
     }
 }
 
-/* The edges of a chain, marked, and lines of sight from p to all vertices on it. */
+/* The edges of a chain, marked, and lines of sight from p to its vertices. */
 static void
-draw_seen(svg *page, const point2 *points, const mesh *m, hull_chain q, point2 p)
+draw_seen(svg *page, const point2 *points, const mesh *m, hull_chain q,
+          point2 p)
 {
     if (q.first == q.end)
         return;
     for (halfedge_id e = q.first; e != q.end; e = mesh_hull_next(m, e)) {
-        svg_segment(page, points[mesh_origin(m, e)], points[mesh_dest(m, e)], SVG_MARK);
+        svg_segment(page, points[mesh_origin(m, e)], points[mesh_dest(m, e)],
+                    SVG_MARK);
         svg_segment(page, p, points[mesh_origin(m, e)], SVG_FAINT);
     }
     svg_segment(page, p, points[mesh_origin(m, q.end)], SVG_FAINT);
 }
 
-/* Runs once around p, which has just been attached: its triangles are new, and the
- * edges opposite p are those it has seen. */
+/* Runs once around p, which has just been attached: its triangles are new, and
+ * the edges opposite p are those it has seen. */
 static void
-draw_new_triangles(svg *page, const point2 *points, const mesh *m, halfedge_id leaving)
+draw_new_triangles(svg *page, const point2 *points, const mesh *m,
+                   halfedge_id leaving)
 {
     halfedge_id e = leaving;
     do {
@@ -60,8 +64,8 @@ draw_new_triangles(svg *page, const point2 *points, const mesh *m, halfedge_id l
     } while (e != leaving);
 }
 
-/* Sweeps the first `count` points, which are in order; returns the hull edge that
- * leaves the last of them. There is room for all n. */
+/* Sweeps the first `count` points, which are in order; returns the hull edge
+ * that leaves the last of them. There is room for all n. */
 static halfedge_id
 sweep_some(mesh *m, const point2 *points, uint32_t n, uint32_t count)
 {
@@ -116,7 +120,8 @@ paint_step(trace *self, const mesh *m, const trace_event *event)
     draw_new_triangles(page, points, m, event->edge);
     svg_mesh(page, points, m);
     for (uint32_t k = 0; k < painter->n; k++)
-        svg_points(page, &points[painter->L[k]], 1, k < i ? SVG_PLAIN : SVG_FAINT);
+        svg_points(page, &points[painter->L[k]], 1,
+                   k < i ? SVG_PLAIN : SVG_FAINT);
     svg_points(page, &points[event->a], 1, SVG_NEW);
     char name[16];
     snprintf(name, sizeof name, "v%u", (unsigned)i);
@@ -133,10 +138,11 @@ draw_steps(FILE *file)
     must(sort_along(points, STEPS_POINTS, (point2){1, 0}, L, &u), "sort_along");
 
     svg page;
-    svg_begin(&page, file, (svg_layout){3, 3, 250, 160, 1}, "Figure 3, executed",
-              "A vertical line sweeps over nine points. In each panel the line has "
-              "reached one more point. The hull edges that this point sees are "
-              "marked, and the new triangles over them are hatched.");
+    svg_begin(
+        &page, file, (svg_layout){3, 3, 250, 160, 1}, "Figure 3, executed",
+        "A vertical line sweeps over nine points. In each panel the line has "
+        "reached one more point. The hull edges that this point sees are "
+        "marked, and the new triangles over them are hatched.");
 
     svg_box box = svg_box_of(points, STEPS_POINTS);
     svg_panel(&page, box, STEPS_POINTS, "Lines 1-2: the order, and v1 v2");
@@ -153,7 +159,8 @@ draw_steps(FILE *file)
     tri_options options = tri_options_default();
     options.trace = &painter.base;
     mesh m;
-    must(sweep_triangulate(points, STEPS_POINTS, &options, &m), "sweep_triangulate");
+    must(sweep_triangulate(points, STEPS_POINTS, &options, &m),
+         "sweep_triangulate");
 
     triangle_list list;
     must(mesh_triangles(&m, &list), "mesh_triangles");
@@ -172,8 +179,8 @@ draw_steps(FILE *file)
 
 /* What p sees of *m, and nothing attached yet. */
 static void
-draw_before(svg *page, const point2 *points, uint32_t n, const mesh *m, hull_chain q,
-            vertex_id p)
+draw_before(svg *page, const point2 *points, uint32_t n, const mesh *m,
+            hull_chain q, vertex_id p)
 {
     draw_seen(page, points, m, q, points[p]);
     svg_mesh(page, points, m);
@@ -201,24 +208,27 @@ draw_both_sides(FILE *file)
 {
     point2 points[] = {{0, 0}, {1, 1}, {2, 0}, {3, -5}};
     const point2 fourth[] = {{3, -5}, {3, 3}, {4, -1}};
-    const char *const caption[] = {"v4 sees the edge that\nends at v3",
-                                   "v4 sees the edge that\nbegins at v3, and one more",
-                                   "v4 sees the edges on\nboth sides of v3"};
+    const char *const caption[] = {
+        "v4 sees the edge that\nends at v3",
+        "v4 sees the edge that\nbegins at v3, and one more",
+        "v4 sees the edges on\nboth sides of v3"};
     svg_box box = {{0, -5}, {4, 3}};
     svg page;
     svg_begin(&page, file, (svg_layout){4, 1, 185, 300, 2},
               "The edges that are seen touch the last vertex, on either side",
-              "From a triangle v1 v2 v3, three places of the next point: below it, where "
-              "it sees the hull edge that ends at the last vertex v3; above it, where it "
-              "sees the one that begins there and the next; and beside it, where it sees "
-              "both. Who looks one way only finds nothing in the first case.");
+              "From a triangle v1 v2 v3, three places of the next point: "
+              "below it, where it sees the hull edge that ends at the last "
+              "vertex v3; above it, where it sees the one that begins there "
+              "and the next; and beside it, where it sees both. Who looks "
+              "one way only finds nothing in the first case.");
     mesh m;
     halfedge_id last;
     for (int i = 0; i < 3; i++) {
         points[3] = fourth[i];
         last = sweep_some(&m, points, 4, 3);
         svg_panel(&page, box, 4, caption[i]);
-        draw_before(&page, points, 4, &m, hull_edges_seeing(&m, points, last, 3), 3);
+        hull_chain q = hull_edges_seeing(&m, points, last, 3);
+        draw_before(&page, points, 4, &m, q, 3);
         label_in_order(&page, points, as_given, 4);
         mesh_free(&m);
     }
@@ -226,7 +236,8 @@ draw_both_sides(FILE *file)
     last = sweep_some(&m, points, 4, 3);
     hull_chain forward = {last, hull_edges_seeing(&m, points, last, 3).end};
     halfedge_id leaving = attach(&m, forward, 3);
-    svg_panel(&page, box, 4, "the first again, looking\nforward only: no triangle");
+    svg_panel(&page, box, 4,
+              "the first again, looking\nforward only: no triangle");
     draw_after(&page, points, 4, &m, leaving);
     label_in_order(&page, points, as_given, 4);
     svg_end(&page);
@@ -241,16 +252,19 @@ draw_ties(FILE *file)
     const point2 points[] = {{0, 0}, {1, 0}, {1, 2}, {1, 1}};
     svg_box box = svg_box_of(points, 4);
     svg page;
-    svg_begin(&page, file, (svg_layout){3, 1, 220, 240, 2},
-              "Points that are met at the same moment",
-              "Three of four points lie on one vertical line. If the one in the middle "
-              "comes last it lies on a hull edge and sees nothing. In lexicographic "
-              "order the topmost comes last, and sees an edge.");
+    svg_begin(
+        &page, file, (svg_layout){3, 1, 220, 240, 2},
+        "Points that are met at the same moment",
+        "Three of four points lie on one vertical line. If the one in the "
+        "middle comes last it lies on a hull edge and sees nothing. In "
+        "lexicographic order the topmost comes last, and sees an edge.");
     mesh m;
     halfedge_id last = sweep_some(&m, points, 4, 3);
-    svg_panel(&page, box, 4, "sorted along x only: v4 lies\non an edge and sees nothing");
+    svg_panel(&page, box, 4,
+              "sorted along x only: v4 lies\non an edge and sees nothing");
     draw_sweep_line(&page, box, points[3]);
-    draw_before(&page, points, 4, &m, hull_edges_seeing(&m, points, last, 3), 3);
+    hull_chain nothing = hull_edges_seeing(&m, points, last, 3);
+    draw_before(&page, points, 4, &m, nothing, 3);
     label_in_order(&page, points, as_given, 4);
     mesh_free(&m);
 
@@ -280,14 +294,16 @@ static void
 draw_collinear_start(FILE *file)
 {
     const point2 points[] = {{0, 0}, {0, 1}, {0, 2}, {1, 0}};
-    const char *const caption[] = {"Line 2: the edge v1 v2", "v3 sees nothing: it\nhangs on v2",
+    const char *const caption[] = {"Line 2: the edge v1 v2",
+                                   "v3 sees nothing: it\nhangs on v2",
                                    "v4 sees both edges of\nthe path: a fan"};
     svg_box box = svg_box_of(points, 4);
     svg page;
-    svg_begin(&page, file, (svg_layout){3, 1, 190, 240, 2}, "A collinear beginning",
-              "Three points on a vertical line and one to the right of it. The first "
-              "three make a path of two edges; the last sees both and makes two "
-              "triangles.");
+    svg_begin(
+        &page, file, (svg_layout){3, 1, 190, 240, 2}, "A collinear beginning",
+        "Three points on a vertical line and one to the right of it. The "
+        "first three make a path of two edges; the last sees both and makes "
+        "two triangles.");
     mesh m;
     halfedge_id last = sweep_some(&m, points, 4, 2);
     for (vertex_id v = 1; v < 4; v++) {
@@ -308,7 +324,7 @@ enum { PARABOLA = 7 };
 static void
 draw_worst_case(FILE *file)
 {
-    /* The height is divided by 8 for the picture; that changes no orientation. */
+    /* Drawn at 1/8 of the height: that changes no orientation. */
     point2 points[PARABOLA + 1];
     for (int i = 0; i < PARABOLA; i++)
         points[i] = (point2){i, i * i / 8.0};
@@ -318,8 +334,9 @@ draw_worst_case(FILE *file)
     svg page;
     svg_begin(&page, file, (svg_layout){2, 1, 350, 250, 1},
               "One point can see all but one of the hull edges",
-              "Seven points on a parabola, and one to the right of its lowest point: it "
-              "sees the six hull edges that the parabola's arc consists of.");
+              "Seven points on a parabola, and one to the right of its "
+              "lowest point: it sees the six hull edges that the parabola's "
+              "arc consists of.");
     mesh m;
     halfedge_id last = sweep_some(&m, points, PARABOLA + 1, PARABOLA);
     hull_chain q = hull_edges_seeing(&m, points, last, PARABOLA);
@@ -327,7 +344,7 @@ draw_worst_case(FILE *file)
     for (halfedge_id e = q.first; e != q.end; e = mesh_hull_next(&m, e))
         seen++;
     char caption[80];
-    snprintf(caption, sizeof caption, "m = %d points on a parabola: v%d sees %u edges",
+    snprintf(caption, sizeof caption, "%d points on a parabola: v%d sees %u edges",
              PARABOLA, PARABOLA + 1, (unsigned)seen);
     svg_panel(&page, box, PARABOLA + 1, caption);
     draw_before(&page, points, PARABOLA + 1, &m, q, PARABOLA);
@@ -356,8 +373,8 @@ draw_many(FILE *file)
     svg page;
     svg_begin(&page, file, (svg_layout){1, 1, 640, 560, 0},
               "The sweep triangulation of two hundred random points",
-              "Most triangles are long and thin, and stand upright: across the "
-              "direction in which the line moves.");
+              "Most triangles are long and thin, and stand upright: across "
+              "the direction in which the line moves.");
     svg_panel(&page, svg_box_of(points, MANY), MANY, "");
     svg_mesh(&page, points, &m);
     svg_points(&page, points, MANY, SVG_PLAIN);
@@ -377,5 +394,6 @@ static const figure figures[] = {
 int
 main(int argc, char **argv)
 {
-    return draw_figures(argc, argv, figures, sizeof figures / sizeof figures[0]);
+    return draw_figures(argc, argv, figures,
+                        sizeof figures / sizeof figures[0]);
 }
