@@ -16,8 +16,8 @@
 
 enum {
     TRIALS_IN_A_BATCH = 1000,
-    SECONDS_FOR_A_TRIAL = 5,
-    SECONDS_FOR_A_CHECK = 60 /* test_run: it may hold many trials of its own */
+    LIMIT_FOR_A_TRIAL = 5000, /* milliseconds */
+    LIMIT_FOR_A_CHECK = 30000 /* test_run: it may hold many trials of its own */
 };
 
 test_program program = {.seed = 1, .trials_factor = 1};
@@ -41,6 +41,19 @@ claims_made(void)
     return made;
 }
 
+/* "ok 3 - what is claimed (5000 random inputs)" */
+static void
+print_line(const char *result, const test *t)
+{
+    static const char *const inputs[] = {
+        [ORDINARY] = "random inputs", [NEAR_DEGENERATE] = "nearly degenerate inputs",
+        [SUBSETS] = "subsets of a grid", [PERMUTATIONS] = "orders", [GIVEN] = NULL,
+        [CHECK] = NULL};
+    printf("%s %u - %s", result, program.tests, t->what);
+    if (inputs[t->kind] != NULL)
+        printf(" (%u %s)", (unsigned)t->trials, inputs[t->kind]);
+}
+
 /* One test: its batches until one fails, and its line of the output. */
 static void
 run_test(test t)
@@ -48,7 +61,8 @@ run_test(test t)
     program.tests++;
     if (only != NULL && strstr(t.what, only) == NULL) {
         tests_skipped++;
-        printf("ok %u - %s # SKIP not asked for\n", program.tests, t.what);
+        print_line("ok", &t);
+        printf(" # SKIP not asked for\n");
         return;
     }
     char path[400];
@@ -56,14 +70,15 @@ run_test(test t)
     remove(path); /* of an earlier failure */
 
     uint64_t claims_before = claims_made();
-    t.seconds = t.kind == CHECK ? SECONDS_FOR_A_CHECK : SECONDS_FOR_A_TRIAL;
+    t.milliseconds = t.kind == CHECK ? LIMIT_FOR_A_CHECK : LIMIT_FOR_A_TRIAL;
     for (uint32_t begin = 0; begin < t.trials; begin += TRIALS_IN_A_BATCH) {
         uint32_t end = t.trials - begin > TRIALS_IN_A_BATCH ? begin + TRIALS_IN_A_BATCH
                                                             : t.trials;
         ending how = run_child(&t, begin, end, NULL, 0);
         if (!ended_well(how)) {
             tests_failed++;
-            printf("not ok %u - %s\n", program.tests, t.what);
+            print_line("not ok", &t);
+            printf("\n");
             report_batch(&t, begin, end, how);
             return;
         }
@@ -72,11 +87,12 @@ run_test(test t)
     }
     if (claims_made() == claims_before) {
         tests_failed++;
-        printf("not ok %u - %s\n#   because: nothing was claimed in any of the %u "
-               "trials\n", program.tests, t.what, (unsigned)t.trials);
+        print_line("not ok", &t);
+        printf("\n#   because: nothing was claimed in any of the trials\n");
         return;
     }
-    printf("ok %u - %s\n", program.tests, t.what);
+    print_line("ok", &t);
+    printf("\n");
 }
 
 /* ---- What a test program calls. ---- */

@@ -28,8 +28,8 @@ typedef struct test {
     void (*check)(void);
     uint32_t trials, most_points, side;
     const point2 *given;
-    uint32_t n;       /* of the given points */
-    unsigned seconds; /* for each trial */
+    uint32_t n;        /* of the given points */
+    long milliseconds; /* the limit for each trial */
 } test;
 
 /* What a child tells its parent, in memory that both can see. */

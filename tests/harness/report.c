@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 enum {
-    SECONDS_WHEN_SHRINKING = 1,
+    LIMIT_WHEN_SHRINKING = 100, /* milliseconds; trials take less than one */
     RUNS_TO_SHRINK = 1500,
-    RUNS_TO_SHRINK_IF_ENDLESS = 15,
+    RUNS_TO_SHRINK_IF_ENDLESS = 100,
     MOST_LINES_OF_NOISE = 20
 };
 
@@ -21,12 +21,17 @@ static test failing_test;
 static uint32_t failing_trial;
 static ending failing_ending;
 
+static bool
+same_failure(ending one, ending other)
+{
+    return one.status == other.status && strcmp(one.failed, other.failed) == 0;
+}
+
 bool
 still_fails(const point2 *points, uint32_t n)
 {
     ending how = run_child(&failing_test, failing_trial, failing_trial + 1, points, n);
-    return how.status == failing_ending.status &&
-           strcmp(how.failed, failing_ending.failed) == 0;
+    return same_failure(how, failing_ending);
 }
 
 void
@@ -59,7 +64,7 @@ print_because(const test *t, ending how)
     if (how.failed[0] != '\0')
         printf("#   because: %s\n#   claim: %s\n", how.because, how.failed);
     else if (was_endless(how))
-        printf("#   because: did not end within %u s\n", t->seconds);
+        printf("#   because: did not end within %ld s\n", t->milliseconds / 1000);
     else if (WIFSIGNALED(status))
         printf("#   because: stopped by signal %d (%s)\n", WTERMSIG(status),
                strsignal(WTERMSIG(status)));
@@ -90,6 +95,17 @@ print_again(void)
     printf("\n");
 }
 
+static uint32_t
+shrink_trial(const test *t, uint32_t k, ending how, point2 *points, uint32_t n)
+{
+    failing_test = *t;
+    failing_test.milliseconds = LIMIT_WHEN_SHRINKING;
+    failing_trial = k;
+    failing_ending = how;
+    return shrink(points, n, was_endless(how) ? RUNS_TO_SHRINK_IF_ENDLESS
+                                              : RUNS_TO_SHRINK);
+}
+
 /* Trial k failed alone: makes its points few and simple (unless they are given), runs
  * it a last time to have it drawn, and says all that is known. */
 static void
@@ -104,19 +120,20 @@ report_trial(const test *t, uint32_t k, ending how)
     uint32_t n;
     point2 *points = draw_points(t, k, &n);
     bool given = t->kind == GIVEN || t->kind == PERMUTATIONS;
-    if (!given) {
-        failing_test = *t;
-        failing_test.seconds = SECONDS_WHEN_SHRINKING;
-        failing_trial = k;
-        failing_ending = how;
-        n = shrink(points, n, was_endless(how) ? RUNS_TO_SHRINK_IF_ENDLESS
-                                               : RUNS_TO_SHRINK);
-    }
+    if (!given)
+        n = shrink_trial(t, k, how, points, n);
+
     char path[400];
     picture_path(path, sizeof path);
     draw_picture(path, points, n); /* for the case that the trial cannot */
     program.picture = path;
     ending last = run_child(t, k, k + 1, points, n);
+    if (!same_failure(last, how)) { /* slow, and taken for endless: the whole input */
+        free(points);
+        points = draw_points(t, k, &n);
+        draw_picture(path, points, n);
+        last = run_child(t, k, k + 1, points, n);
+    }
     program.picture = NULL;
 
     print_because(t, last);
@@ -135,7 +152,7 @@ report_batch(const test *t, uint32_t begin, uint32_t end, ending how)
     uint32_t first = running < end ? running : begin;
     uint32_t last = running < end ? running + 1 : end;
     for (uint32_t k = first; k < last; k++) {
-        ending alone = run_child(t, k, k + 1, NULL, 0);
+        ending alone = t->trials == 1 ? how : run_child(t, k, k + 1, NULL, 0);
         if (!ended_well(alone)) {
             report_trial(t, k, alone);
             return;

@@ -3,6 +3,7 @@
  * A trial is fully named by the seed, the sentence of its test and its number: from
  * these its points and its random numbers are drawn, in whatever process it runs.
  */
+#define _XOPEN_SOURCE 700 /* setitimer */
 #include "tests/harness/internal.h"
 
 #include "chapters/3.4_primitives/predicates.h"
@@ -15,6 +16,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -221,6 +223,15 @@ test_picture(triangle_list list)
 
 /* ---- A child. ---- */
 
+/* SIGALRM ends this process after so long, unless another limit is set; 0: never. */
+static void
+limit_time(long milliseconds)
+{
+    struct itimerval limit = {.it_value = {milliseconds / 1000,
+                                           milliseconds % 1000 * 1000}};
+    setitimer(ITIMER_REAL, &limit, NULL);
+}
+
 /* In the child: trials begin .. end-1, then an ordinary exit, so that a sanitizer
  * can look for leaks. */
 static void
@@ -232,10 +243,10 @@ run_trials(const test *t, uint32_t begin, uint32_t end, const point2 *instead,
     predicate_count = (predicate_counts){0};
     for (uint32_t k = begin; k < end; k++) {
         program.shared->running = k;
-        alarm(t->seconds);
+        limit_time(t->milliseconds);
         run_trial(t, k, instead, n);
     }
-    alarm(0);
+    limit_time(0);
     tally *counts = program.shared;
     counts->running = end;
     counts->zeros += predicate_count.zeros;
