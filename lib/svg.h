@@ -73,8 +73,8 @@ typedef struct svg {
     uint32_t panels; /* begun so far */
     double em;       /* in pixels: the unit of sizes in this panel */
 
-    /* A point p of the world, first scaled by 2^-exponent, is drawn to the right
-     * of the panel's centre by (p.x - centre.x) / reach * pixels; up likewise. */
+    /* Point p of the world, first scaled by 2^-exponent, is drawn to the right
+     * of the panel's centre by (p.x - centre.x) / reach * pixels; up alike. */
     int exponent;
     point2 centre;
     double reach, pixels;

@@ -210,7 +210,7 @@ draw_both_sides(FILE *file)
     const point2 fourth[] = {{3, -5}, {3, 3}, {4, -1}};
     const char *const caption[] = {
         "v4 sees the edge that\nends at v3",
-        "v4 sees the edge that\nbegins at v3, and one more",
+        "v4 sees the edge that\nbegins at v3",
         "v4 sees the edges on\nboth sides of v3"};
     svg_box box = {{0, -5}, {4, 3}};
     svg page;
@@ -218,9 +218,9 @@ draw_both_sides(FILE *file)
               "The edges that are seen touch the last vertex, on either side",
               "From a triangle v1 v2 v3, three places of the next point: "
               "below it, where it sees the hull edge that ends at the last "
-              "vertex v3; above it, where it sees the one that begins there "
-              "and the next; and beside it, where it sees both. Who looks "
-              "one way only finds nothing in the first case.");
+              "vertex v3; above it, where it sees the one that begins there; "
+              "and beside it, where it sees both. Who looks one way only "
+              "finds nothing in the first case.");
     mesh m;
     halfedge_id last;
     for (int i = 0; i < 3; i++) {
@@ -344,8 +344,9 @@ draw_worst_case(FILE *file)
     for (halfedge_id e = q.first; e != q.end; e = mesh_hull_next(&m, e))
         seen++;
     char caption[80];
-    snprintf(caption, sizeof caption, "%d points on a parabola: v%d sees %u edges",
-             PARABOLA, PARABOLA + 1, (unsigned)seen);
+    snprintf(caption, sizeof caption,
+             "%d points on a parabola: v%d sees %u edges", PARABOLA,
+             PARABOLA + 1, (unsigned)seen);
     svg_panel(&page, box, PARABOLA + 1, caption);
     draw_before(&page, points, PARABOLA + 1, &m, q, PARABOLA);
     label_in_order(&page, points, as_given, PARABOLA + 1);

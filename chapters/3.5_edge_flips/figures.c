@@ -524,14 +524,14 @@ draw_many(FILE *file)
 }
 
 static const figure figures[] = {
-    {"fig9_definition", draw_definition},
+    {"fig9_locally_delaunay", draw_definition},
     {"flip", draw_flip},
-    {"fig11_angles", draw_angles},
+    {"fig11_six_angles", draw_angles},
     {"fig10_steps", draw_steps},
     {"ladder", draw_ladder},
-    {"not_flippable", draw_not_flippable},
-    {"local_only", draw_local_only},
-    {"flips_200", draw_many},
+    {"nothing_flippable", draw_not_flippable},
+    {"local_not_global", draw_local_only},
+    {"before_after_200", draw_many},
 };
 
 int
