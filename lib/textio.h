@@ -60,7 +60,7 @@ typedef struct edge_list {
 
 /* Reads a file; "-" is standard input.
  *
- * Memory: a few times the size of the file, whatever number of items it claims.
+ * Memory: at most 20 times the size of the file, whatever counts it claims.
  * TRI_CANNOT_READ, TRI_BAD_FILE, TRI_OUT_OF_MEMORY, TRI_TOO_MANY_POINTS: *out
  * is zeroed and *error says why. A file is read to its end or refused.
  */

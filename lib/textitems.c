@@ -26,14 +26,11 @@ read_first_line(text_lines *t, const char *what, uint32_t *value, int most)
     return TRI_OK;
 }
 
-/* No array is made for more items than the file has room for: a line has a
- * digit and a separator for each column, though the last line may lack one. */
+/* No array is made for more items than the file can hold, a byte for each. */
 static tri_status
-refuse_absurd_count(text_lines *t, const char *what, uint32_t count,
-                    uint64_t columns)
+refuse_absurd_count(text_lines *t, const char *what, uint32_t count)
 {
-    uint64_t bytes = (uint64_t)(t->end - t->next) + 1;
-    if (count <= bytes / (2 * columns))
+    if (count <= (uint64_t)(t->end - t->next))
         return TRI_OK;
     return text_refuse(t, "%lu %s are promised: the file is too short for them",
                        (unsigned long)count, what);
@@ -83,7 +80,7 @@ skip_numbers(text_lines *t, uint64_t numbers)
             return status;
     }
     if (found < numbers)
-        return text_refuse(t, "%llu columns are missing at the end",
+        return text_refuse(t, "columns missing at the end: %llu",
                            (unsigned long long)(numbers - found));
     return TRI_OK;
 }
@@ -117,7 +114,7 @@ text_parse_node(text_lines *t, text_points *out)
         return text_refuse(t, "dimension %lu: only the plane, 2, can be read",
                            (unsigned long)header[1]);
     if (status == TRI_OK)
-        status = refuse_absurd_count(t, "points", header[0], 3);
+        status = refuse_absurd_count(t, "points", header[0]);
     if (status != TRI_OK)
         return status;
 
@@ -168,7 +165,7 @@ parse_items(text_lines *t, const char *what, uint32_t count, size_t width,
             vertex_id **vertices)
 {
     *vertices = NULL;
-    tri_status status = refuse_absurd_count(t, what, count, 1 + width);
+    tri_status status = refuse_absurd_count(t, what, count);
     if (status != TRI_OK)
         return status;
     vertex_id *v = memory_array(count, width * sizeof *v);

@@ -93,7 +93,7 @@ read_point(text_lines *t, const table *tab, point2 *p)
             return status;
     }
     if (column != tab->columns)
-        return text_refuse(t, "%llu columns, and the first line has %llu",
+        return text_refuse(t, "columns: %llu, where the first line has %llu",
                            (unsigned long long)column,
                            (unsigned long long)tab->columns);
     return TRI_OK;

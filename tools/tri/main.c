@@ -24,7 +24,7 @@ const command commands[] = {
      "The boundary of the convex hull, counterclockwise, as edges between\n"
      "neighbouring points; those inside hull edges are included.\n"},
     {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
-     "Makes N points, the same bytes everywhere. The seed is 1 if not given.\n"},
+     "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"},
     {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",
      "Draws points, and triangles.\n"},
     {"help", command_help, "[COMMAND]", "What you are reading.\n"},
@@ -33,7 +33,7 @@ const command commands[] = {
 
 static const char files[] =
     "Files: .node, .ele and .edge of Shewchuk's Triangle; points also as\n"
-    "lines `x y` or CSV, with or without a header (columns x,y or lon,lat, else\n"
+    "lines `x y` or CSV, perhaps with a header (columns x,y or lon,lat, else\n"
     "the first two). `-` is standard input or output, and so is no -o.\n"
     "Exit status: 0 done, 1 refuted (check), 2 unusable input or arguments.\n";
 

@@ -69,8 +69,8 @@ void expect_words(int argc, char **argv, int least, int most);
 text_points load_points(const char *path);
 triangle_list load_triangles(const char *path, const text_points *points);
 
-/* Dies if a folder or a pipe has the name, before time is spent on what could not
- * be written there; NULL and "-" will do. */
+/* Dies if a folder or a pipe has the name, before time is spent on what could
+ * not be written there; NULL and "-" will do. */
 void check_output(const char *path);
 
 /* output_begin and output_commit, or a message. */

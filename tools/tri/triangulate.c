@@ -66,8 +66,8 @@ parse(int argc, char **argv)
     if (r.triangles == NULL && r.picture == NULL && !r.stats)
         r.triangles = "-";
     if (is_stdout(r.triangles) + is_stdout(r.picture) + r.stats > 1)
-        die_usage(argv[0], "only one of -o, --svg and --stats can have standard "
-                  "output: name a file");
+        die_usage(argv[0], "of -o, --svg, --stats only one can have standard "
+                  "output: name files");
     check_output(r.triangles);
     check_output(r.picture);
     return r;

@@ -124,12 +124,11 @@ print_count(const char *name, uint64_t value)
 static void
 print_predicates(predicate_counts c)
 {
-    uint64_t asked = c.orient2d + c.incircle + c.orient3d + c.compare_along;
     print_count("orient2d", c.orient2d);
     print_count("incircle", c.incircle);
     print_count("orient3d", c.orient3d);
     print_count("compare_along", c.compare_along);
-    print_count("decided_by_filter", asked - c.expansions - c.wide);
+    print_count("decided_by_signs", c.signs);
     print_count("decided_by_expansions", c.expansions);
     print_count("decided_by_wide", c.wide);
     print_count("zeros", c.zeros);

@@ -13,8 +13,8 @@
  * `stats`, lines `name value` are printed: the sizes of the result, the flips,
  * and the shortest of several runs that nobody watches, in seconds and as a
  * multiple of sorting the points by (x,y) with qsort. The counted build,
- * build/counted/tri, adds the questions asked of the predicates, and which tier
- * answered them.
+ * build/counted/tri, adds the questions asked of the predicates, and how many
+ * determinants were left to each tier after the filter.
  */
 tri_status run_watched(const algorithm *a, const point2 *points, uint32_t n,
                        tri_options options, bool stats, mesh *m);
