@@ -1,0 +1,103 @@
+-- page.lua - what pandoc does to each page of the book.
+--
+-- Links lead to the pages of the book, quotes and names of sources to the sources'
+-- pages, and pictures stand in the page itself. The environment tells:
+--   PAGE     the page, as a path from the root of the project
+--   QUOTES   a file with the lines of `weave --list`
+--   LINKED   a file to which the sources that this page leads to are added
+
+local page = os.getenv("PAGE")
+local folder = page:match("^(.*/)") or ""
+local linked = io.open(os.getenv("LINKED"), "a")
+
+-- The quotes of this page, in their order.
+local quotes = {}
+for line in io.lines(os.getenv("QUOTES")) do
+  local where, path, first, last = line:match("^(%S+) (%S+) (%d+) (%d+)$")
+  if where == page then
+    table.insert(quotes, {path = path, first = first, last = last})
+  end
+end
+local quoted = 0
+
+local function exists(path)
+  local file = io.open(path)
+  if file then file:close() end
+  return file ~= nil
+end
+
+-- a/b/../c -> a/c
+local function simplify(path)
+  local parts = {}
+  for part in path:gmatch("[^/]+") do
+    if part == ".." then table.remove(parts)
+    elseif part ~= "." then table.insert(parts, part) end
+  end
+  return table.concat(parts, "/")
+end
+
+-- From this page to a file of the book.
+local function relative(path)
+  return folder:gsub("[^/]+/", "../") .. path
+end
+
+-- The file of the book that shows a file of the project.
+local function target(path)
+  if path:match("%.svg$") or path:match("%.png$") then return path end
+  if exists(path .. "/README.md") then path = path .. "/README.md" end
+  if path == "README.md" then return "index.html" end
+  if path:match("/README%.md$") then return (path:gsub("README%.md$", "index.html")) end
+  if path:match("%.md$") then return (path:gsub("%.md$", ".html")) end
+  if exists(path) then linked:write(path, "\n") end
+  return path .. ".html"
+end
+
+function Link(link)
+  if link.target:match("^%a+:") or link.target:match("^#") then return nil end
+  local path, anchor = link.target:match("^([^#]*)(.*)$")
+  link.target = relative(target(simplify(folder .. path))) .. anchor
+  return link
+end
+
+-- `lib/mesh.h mesh_next` is a link to that file.
+function Code(code)
+  local path = code.text:match("^%l+/[^ *]+")
+  if path and path:match("%.%l+$") and exists(path) then
+    return pandoc.Link({code}, relative(target(path)))
+  end
+end
+
+-- A picture becomes part of the page; on a phone it keeps a readable width, and its
+-- frame scrolls.
+function Para(para)
+  local image = para.content[1]
+  if #para.content ~= 1 or image.t ~= "Image" or not image.src:match("%.svg$") then
+    return nil
+  end
+  local file = io.open(simplify(folder .. image.src))
+  if not file then return nil end
+  local svg = file:read("a")
+  file:close()
+  local width = svg:match('width="([%d.]+)"') or "600"
+  return pandoc.RawBlock("html",
+    '<figure style="--width:' .. width .. 'px"><div>' .. svg .. "</div><figcaption>" ..
+    pandoc.utils.stringify(image.caption) .. "</figcaption></figure>")
+end
+
+-- A table is as wide as it must be, and scrolls in its frame when that is too wide.
+function Table(table)
+  for _, column in ipairs(table.colspecs) do
+    column[2] = nil
+  end
+  return pandoc.Div({table}, {class = #table.colspecs > 4 and "table wide" or "table"})
+end
+
+-- The address of a quote becomes a line above it that leads to the source.
+function RawBlock(block)
+  if not block.text:match("^<!%-%- code:") then return nil end
+  quoted = quoted + 1
+  local quote = quotes[quoted]
+  local link = relative(target(quote.path)) .. "#line-" .. quote.first
+  return pandoc.RawBlock("html", '<p class="source"><a href="' .. link .. '">' ..
+    quote.path .. "</a>, lines " .. quote.first .. " to " .. quote.last .. "</p>")
+end
