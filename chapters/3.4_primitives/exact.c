@@ -158,7 +158,16 @@ add_lift(wide *w, int sign, point2 p, point2 a, point2 b, point2 c)
     add_orient2d(w, sign, p.y, p.y, a, b, c);
 }
 
-/* ---- The three tests. ---- */
+/* w += sign * (p - q)^2 */
+static void
+add_square(wide *w, int sign, double p, double q)
+{
+    wide_add(w, +sign, 1, 1, p, p);
+    wide_add(w, -sign, 1, 2, p, q);
+    wide_add(w, +sign, 1, 1, q, q);
+}
+
+/* ---- The four tests. ---- */
 
 /* A product's sign is known from the order of the coordinates, so only two
  * products of the same sign need arithmetic. The order alone decides coinciding
@@ -187,6 +196,32 @@ cross_sign_exact(point2 p, point2 q, point2 r, point2 s)
     add_det2(&w, -1, 1, 1, p, s);
     add_det2(&w, -1, 1, 1, q, r);
     add_det2(&w, +1, 1, 1, q, s);
+    return answer(wide_sign(&w));
+}
+
+/* Two distances of which one is 0 need no arithmetic. */
+int
+compare_distance_exact(point2 p, point2 q, point2 r, point2 s)
+{
+    if (equal2(p, q) || equal2(r, s)) { // Step 1
+        PREDICATE_COUNT(signs);
+        return answer(equal2(r, s) - equal2(p, q));
+    }
+    const point2 given[4] = {p, q, r, s};
+    if (moderate(given)) { // Step 2
+        PREDICATE_COUNT(expansions);
+        expansion_room room;
+        room.used = 0;
+        row pq = lifted(&room, p, q), rs = lifted(&room, r, s);
+        return answer(expansion_sign(expansion_minus(&room, pq.z, rs.z)));
+    }
+    PREDICATE_COUNT(wide); // Step 3
+    wide w;
+    wide_clear(&w);
+    add_square(&w, +1, p.x, q.x);
+    add_square(&w, +1, p.y, q.y);
+    add_square(&w, -1, r.x, s.x);
+    add_square(&w, -1, r.y, s.y);
     return answer(wide_sign(&w));
 }
 

@@ -10,7 +10,7 @@
  * rounded determinant is further from zero than all roundings together can have
  * moved it; a NaN, an infinity or a zero never is, and falls through to exact.c.
  * The bounds are one 2^-53 more than the roundings that a product of coordinates
- * passes through (3, 10 and 7), and a little for underflow (page 3.4, P1 to P4).
+ * passes through (3, 4, 10 and 7), and a little for underflow (page 3.4, P3 to P5).
  */
 #ifndef CHAPTERS_3_4_PREDICATES_H
 #define CHAPTERS_3_4_PREDICATES_H
@@ -33,7 +33,8 @@
  * its filter. */
 #ifdef TRI_COUNTED
 typedef struct predicate_counts {
-    uint64_t orient2d, incircle, orient3d, compare_along; /* questions asked */
+    /* Questions asked: */
+    uint64_t orient2d, incircle, orient3d, compare_along, compare_distance;
     /* The determinants that the filter left to exact.c, by what answered: */
     uint64_t signs, expansions, wide; /* its Steps 1, 2 and 3 */
     uint64_t zeros;                   /* and how many of all these were 0 */
@@ -46,6 +47,7 @@ extern predicate_counts predicate_count;
 
 /* The exact answers, slow: exact.c. */
 int cross_sign_exact(point2 p, point2 q, point2 r, point2 s);
+int compare_distance_exact(point2 p, point2 q, point2 r, point2 s);
 int incircle_exact(point2 a, point2 b, point2 c, point2 d);
 int orient3d_exact(point3 a, point3 b, point3 c, point3 d);
 
@@ -101,6 +103,31 @@ compare_along(point2 d, point2 p, point2 q)
     PREDICATE_COUNT(compare_along);
     int sign = cross_sign(p, q, across, zero); /* the sign of (p-q).d */
     return sign != 0 ? sign : cross_sign(d, zero, p, q);
+}
+
+/* Is the distance of p and q smaller than that of r and s?
+ *
+ *   -1  |pq| < |rs|        0  they are equal        +1  |pq| > |rs|
+ *
+ * The sign of |pq|^2 - |rs|^2. With q = s it says which of p and r is nearer to q.
+ * Cost: 4 multiplications when the distances are not nearly equal.
+ * Source: notes 3.1, the half-plane H_pq.
+ */
+static inline int
+compare_distance(point2 p, point2 q, point2 r, point2 s)
+{
+    PREDICATE_COUNT(compare_distance);
+    double pqx = p.x - q.x, pqy = p.y - q.y;
+    double rsx = r.x - s.x, rsy = r.y - s.y;
+    double left = pqx * pqx + pqy * pqy;
+    double right = rsx * rsx + rsy * rsy;
+    double det = left - right;
+    double bound = 0x1.4p-51 * (left + right) + DBL_MIN;
+    if (det > bound)
+        return +1;
+    if (-det > bound)
+        return -1;
+    return compare_distance_exact(p, q, r, s);
 }
 
 /* Where does d lie with respect to the circle through a, b, c?
