@@ -29,8 +29,9 @@ typedef enum decimal_result {
  */
 decimal_result decimal_read(const char *text, size_t length, double *value);
 
-/* The shortest of 15, 16 and 17 digits that reads back as `value`; returns the
- * number of characters, without the closing NUL.
+/* Whole numbers below 2^53 in full, others with the fewest of 15, 16 and 17
+ * digits that read back as `value`; returns the number of characters, without the
+ * closing NUL.
  * Requires: value is finite, room for DECIMAL_ROOM characters. */
 int decimal_write(char *text, double value);
 
