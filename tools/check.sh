@@ -101,7 +101,10 @@ errata_are_paired() {
     claims_of_tests >"$scratch/tests"
     awk '
     function wrong(where, what) { print where ": " what; bad = 1 }
-    FILENAME ~ /errata$/ { where[$1] = $2; test[$1] = $3; next }
+    FILENAME ~ /errata$/ {
+        if ($1 in where) wrong($2, "the number " $1 " stands twice; choose another")
+        where[$1] = $2; test[$1] = $3; next
+    }
     $1 ~ /^E[0-9]+$/ {
         split($2, file, ":")
         if (index(asserted[$1] " ", " " file[1] " ") == 0)
