@@ -79,7 +79,9 @@ edge_stack_free(edge_stack *L)
 static void
 report_edge(mesh *m, trace_kind kind, halfedge_id e)
 {
-    trace_report(m, (trace_event){kind, e, mesh_origin(m, e), mesh_dest(m, e), NONE, NONE});
+    if (m->trace != NULL) /* else the ends need not be looked up */
+        trace_report(m, (trace_event){kind, e, mesh_origin(m, e), mesh_dest(m, e), NONE,
+                                      NONE});
 }
 
 void
