@@ -1,4 +1,4 @@
-/* expansion.c - error-free sums and products; page 3.4 proves P5 to P8. */
+/* expansion.c - error-free sums and products; page 3.4 proves P7 to P10. */
 #include "lib/expansion.h"
 
 #include <assert.h>
@@ -14,7 +14,7 @@
 
 /* ---- Two doubles. ---- */
 
-/* With |a| >= |b|, high - a is exact, and so is what b lacks to it (P5). */
+/* With |a| >= |b|, high - a is exact, and so is what b lacks to it (P7). */
 exact_pair
 two_sum(double a, double b)
 {
@@ -44,7 +44,7 @@ split(double a)
 }
 
 /* The four products of halves are exact. Taken from `high`, largest first, they
- * leave just the rounding error, and no subtraction on the way rounds (P6). */
+ * leave just the rounding error, and no subtraction on the way rounds (P8). */
 exact_pair
 two_product(double a, double b)
 {
@@ -97,7 +97,7 @@ smaller_first(expansion e, int i, expansion f, int j)
 }
 
 /* The parts of both, smallest first, run into a total that two doubles hold:
- * what does not fit any more can no longer be changed by what follows (P7). */
+ * what does not fit any more can no longer be changed by what follows (P9). */
 expansion
 expansion_plus(expansion_room *room, expansion e, expansion f)
 {

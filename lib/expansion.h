@@ -52,8 +52,8 @@ typedef struct expansion_room {
 } expansion_room;
 
 /* The results below live in *room, until it is gone. Too little room is misuse
- * (an assert). They are exact if every product of two parts meets the conditions
- * of two_product, and no sum overflows. */
+ * (an assert). They are exact if every product of two parts meets the
+ * conditions of two_product, and no sum overflows. */
 
 /* The number a - b; at most 2 parts. */
 expansion expansion_difference(expansion_room *room, double a, double b);

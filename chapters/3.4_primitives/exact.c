@@ -142,8 +142,8 @@ add_det2(wide *w, int sign, double e, double f, point2 p, point2 q)
  *                 | b.x b.y 1 |
  *                 | c.x c.y 1 | */
 static void
-add_orient2d(wide *w, int sign, double e, double f,
-             point2 a, point2 b, point2 c)
+add_orient2d(wide *w, int sign, double e, double f, point2 a, point2 b,
+             point2 c)
 {
     add_det2(w, sign, e, f, a, b);
     add_det2(w, sign, e, f, b, c);
@@ -225,8 +225,8 @@ compare_distance_exact(point2 p, point2 q, point2 r, point2 s)
     return answer(wide_sign(&w));
 }
 
-/* Two equal rows make a determinant zero. The four terms of Step 3 are the 4 x 4
- * determinant of the notes, by its third column. */
+/* Two equal rows make a determinant zero. The four terms of Step 3 are the
+ * 4 x 4 determinant of the notes, by its third column. */
 int
 incircle_exact(point2 a, point2 b, point2 c, point2 d)
 {

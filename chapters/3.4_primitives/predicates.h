@@ -8,9 +8,10 @@
  *
  * Each test is tried here in rounded arithmetic. The answer stands when the
  * rounded determinant is further from zero than all roundings together can have
- * moved it; a NaN, an infinity or a zero never is, and falls through to exact.c.
- * The bounds are one 2^-53 more than the roundings that a product of coordinates
- * passes through (3, 4, 10 and 7), and a little for underflow (page 3.4, P3 to P5).
+ * moved it; a NaN, an infinity or a zero never is, and falls through to
+ * exact.c. The bounds are one 2^-53 more than the roundings that a product of
+ * coordinates passes through (3, 4, 10 and 7), and a little for underflow
+ * (page 3.4, P3 to P5).
  */
 #ifndef CHAPTERS_3_4_PREDICATES_H
 #define CHAPTERS_3_4_PREDICATES_H
@@ -109,7 +110,7 @@ compare_along(point2 d, point2 p, point2 q)
  *
  *   -1  |pq| < |rs|        0  they are equal        +1  |pq| > |rs|
  *
- * The sign of |pq|^2 - |rs|^2. With q = s it says which of p and r is nearer to q.
+ * The sign of |pq|^2 - |rs|^2. With q = s: which of p and r is nearer to q?
  * Cost: 4 multiplications when the distances are not nearly equal.
  * Source: notes 3.1, the half-plane H_pq.
  */
