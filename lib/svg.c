@@ -94,8 +94,10 @@ point2
 svg_place(const svg *page, point2 p)
 {
     p = scaled(p, page->exponent);
-    double right = (p.x - page->centre.x) / page->reach * page->pixels;
-    double up = (p.y - page->centre.y) / page->reach * page->pixels;
+    double x = p.x - page->low.x - page->half.x;
+    double y = p.y - page->low.y - page->half.y;
+    double right = x / page->reach * page->pixels;
+    double up = y / page->reach * page->pixels;
     return (point2){page->layout.width / 2 + clamp(right, -FAR, FAR),
                     page->layout.height / 2 - clamp(up, -FAR, FAR)};
 }
@@ -111,7 +113,8 @@ fit(svg *page, svg_box box, double margin)
     double room_y = page->layout.height / 2 - margin;
     bool wide = half_x / room_x >= half_y / room_y;
 
-    page->centre = (point2){min.x + half_x, min.y + half_y};
+    page->low = min;
+    page->half = (point2){half_x, half_y};
     page->reach = wide ? half_x : half_y;
     page->pixels = wide ? room_x : room_y;
     if (!(page->reach > 0)) /* a single point, drawn in the middle */

@@ -74,9 +74,10 @@ typedef struct svg {
     double em;       /* in pixels: the unit of sizes in this panel */
 
     /* Point p of the world, first scaled by 2^-exponent, is drawn to the right
-     * of the panel's centre by (p.x - centre.x) / reach * pixels; up alike. */
+     * of the panel's centre by (p.x - low.x - half.x) / reach * pixels; up alike.
+     * In this order: low + half is rounded when the box is a few ulps wide. */
     int exponent;
-    point2 centre;
+    point2 low, half;
     double reach, pixels;
 
     svg_ink ink[SVG_REMEMBERED]; /* the k-th is ink[k % SVG_REMEMBERED] */

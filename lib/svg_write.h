@@ -9,8 +9,9 @@
 
 #include <stdio.h>
 
-/* The number, rounded to hundredths, whatever the locale. What is NaN or beyond
- * a million is written as a million: no picture reaches that far. */
+/* The number, rounded to hundredths, whatever the locale. No picture is larger
+ * than a million; what is, or is no number, is written as a million, plus or
+ * minus. */
 void svg_put_number(FILE *file, double v);
 
 /* An attribute: name="v". */
