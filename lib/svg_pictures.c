@@ -1,6 +1,8 @@
 /* svg_pictures.c - labels that keep clear; pictures of meshes and verdicts. */
 #include "lib/svg.h"
 
+#include "lib/svg_write.h"
+
 #include <math.h>
 
 /* ---- Labels. ---- */
@@ -129,6 +131,11 @@ svg_verdict(svg *page, const point2 *points, uint32_t n, triangle_list list,
     point2 w[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     for (int i = 0; i < witnesses; i++)
         w[i] = points[v->witness[i]];
+    double em = page->em; /* witnesses can be seen among any number of points */
+    page->em = fmax(em, 8);
+    fputs("<g", page->file);
+    svg_put_attribute(page->file, "font-size", page->em);
+    fputs(">\n", page->file);
     if (witnesses == 3)
         svg_triangle(page, w[0], w[1], w[2], SVG_BAD);
     if (witnesses == 4)
@@ -142,4 +149,6 @@ svg_verdict(svg *page, const point2 *points, uint32_t n, triangle_list list,
     else
         for (int i = 0; i < witnesses; i++)
             label_number(page, w[i], v->witness[i]);
+    fputs("</g>\n", page->file);
+    page->em = em;
 }

@@ -1,6 +1,6 @@
 /* svg_write.h - numbers and texts, written as SVG wants them.
  *
- * Needs: lib/point.h. For lib/svg.c; pictures are made with lib/svg.h.
+ * Needs: lib/point.h. For lib/svg*.c; pictures are made with lib/svg.h.
  */
 #ifndef LIB_SVG_WRITE_H
 #define LIB_SVG_WRITE_H
