@@ -91,7 +91,7 @@ else
         --disable-sync --allow-file-access-from-files --enable-logging=stderr \
         --virtual-time-budget=100000 --dump-dom "file://$scratch/measure.html" \
         >"$scratch/dom" 2>"$scratch/log"
-    grep ' CONSOLE' "$scratch/log" >"$scratch/console"
+    grep 'CONSOLE[(:]' "$scratch/log" >"$scratch/console"
     sed -n 's/^wide: //p' "$scratch/dom" >"$scratch/wide"
     grep -q "^measured: $(wc -l <"$scratch/pages")\$" "$scratch/dom" ||
         echo "not all pages could be opened" >>"$scratch/wide"

@@ -2,7 +2,7 @@
  *
  *     weave           writes the quoted code into the pages again
  *     weave --check   changes nothing and fails where a page would change
- *     weave --list    prints one line a quote: PAGE FILE FIRST-LINE LAST-LINE
+ *     weave --list    the same, and prints a line for each quote: PAGE FILE FIRST LAST
  *
  * Run it in the root of the project. The pages are README.md, docs/, and the
  * README.md of each chapter. A page quotes code by its address:
@@ -225,7 +225,7 @@ weave_page(const char *path, mode what)
     bool differs = same < page.lines || same < woven.lines;
     if (differs && what == REFRESH)
         replace_file(path, &woven);
-    if (differs && what == CHECK)
+    if (differs && what != REFRESH)
         complain(path, same, "the source says something else; run make weave");
     text_free(&page);
     text_free(&woven);
