@@ -90,7 +90,16 @@ hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_
     return q;
 }
 
-/* ---- Line 5: what becomes of them. ---- */
+/* ---- Lines 2 and 5: the first edge, and what becomes of the visible ones. ---- */
+
+/* The edge from a to b; returns the hull edge that leaves b. */
+static halfedge_id
+start(mesh *m, vertex_id a, vertex_id b)
+{
+    halfedge_id ab = mesh_start(m, a, b);
+    trace_report(m, (trace_event){TRACE_START, ab, a, b, NONE, NONE});
+    return mesh_hull_next(m, ab);
+}
 
 halfedge_id
 attach(mesh *m, hull_chain q, vertex_id p)
@@ -110,7 +119,7 @@ sweep(mesh *m, const point2 *points, const vertex_id *L)
 {
     halfedge_id last = NONE;
     if (m->locations >= 2)
-        last = mesh_hull_next(m, mesh_start(m, L[0], L[1])); // Line 2: edge v1 v2.
+        last = start(m, L[0], L[1]);                               // Line 2
     for (uint32_t i = 2; i < m->locations && !m->cancelled; i++) { // Line 3
         hull_chain q = hull_edges_seeing(m, points, last, L[i]);   // Line 4
         last = attach(m, q, L[i]);                                 // Line 5
