@@ -1,0 +1,146 @@
+#!/bin/sh
+# run.sh [NAME...] - plants the bugs of tests/mutants/NAME.mutant (all of them, if none
+# is named) one by one, and sees which statement catches each.
+#
+# A mutant is a file of lines "key: value":
+#
+#     bug:       what a student might believe, in a sentence
+#     file:      the source that is changed
+#     replace:   a piece of one line, found exactly once in the file
+#     with:      what stands there instead (nothing: the piece is deleted)
+#     run:       the test that shall notice
+#     killed by: the claim that fails; or "a crash"; or "no end"
+#
+# There may be several pairs of replace and with. Each mutant is built in a copy of
+# the tree in build/mutants, beside objects that are already made, and runs there.
+# One that does not apply, does not compile, survives, or is caught by another claim
+# only, has failed. Ends with "N passed, N failed".
+set -u
+unset MAKEFLAGS MFLAGS
+
+cd "$(dirname "$0")/../.." || exit 2
+root=$PWD
+base=build/mutants/base
+seconds_for_a_test=150
+
+value() { # value KEY FILE
+    sed -n "s/^$1: *//p" "$2"
+}
+
+# Makes the replacements of mutant $1 in the file $2; complains when one of the
+# pieces is not found exactly once.
+apply() {
+    awk '
+    FILENAME == ARGV[1] {
+        if (sub(/^replace: */, "")) piece[++pieces] = $0
+        else if (sub(/^with: */, "")) instead[pieces] = $0
+        next
+    }
+    {
+        for (p = 1; p <= pieces; p++)
+            if ((at = index($0, piece[p])) > 0) {
+                rest = substr($0, at + length(piece[p]))
+                found[p] += index(rest, piece[p]) > 0 ? 2 : 1
+                $0 = substr($0, 1, at - 1) instead[p] rest
+            }
+        print
+    }
+    END {
+        for (p = 1; p <= pieces; p++)
+            if (found[p] != 1) {
+                printf "found %d times: %s\n", found[p], piece[p] | "cat >&2"
+                wrong = 1
+            }
+        exit wrong || pieces == 0
+    }' "$1" "$2" >"$2.changed" && cat "$2.changed" >"$2" && rm "$2.changed"
+}
+
+# Does the output of a test say that it failed as the mutant's file says?
+is_killed() { # is_killed OUTPUT KILLER
+    case $2 in
+    'a crash') grep -q '^#   because: stopped by signal' "$1" ;;
+    'no end') grep -q '^#   because: did not end' "$1" ;;
+    *) grep -qxF "#   claim: $2" "$1" ;;
+    esac
+}
+
+# Runs the test until it ends, has said what we wait for, or takes too long.
+run_until_killed() { # run_until_killed TEST OUTPUT KILLER
+    : >"$2"
+    "build/test/$1" >"$2" 2>&1 &
+    pid=$!
+    waited=0
+    while kill -0 "$pid" 2>/dev/null && [ "$waited" -lt "$seconds_for_a_test" ] &&
+        ! is_killed "$2" "$3"; do
+        sleep 1
+        waited=$((waited + 1))
+    done
+    kill "$pid" 2>/dev/null
+    wait "$pid" 2>/dev/null
+}
+
+# One mutant: a line of the result, which begins with "killed" when all is well.
+try_mutant() {
+    mutant=$root/tests/mutants/$1.mutant
+    tree=$root/build/mutants/$1
+    file=$(value file "$mutant")
+    run=$(value run "$mutant")
+    killer=$(value 'killed by' "$mutant")
+    rm -rf "$tree"
+    cp -Rp "$root/$base" "$tree"
+    cd "$tree" || exit 2
+    if [ -z "$killer" ] || ! apply "$mutant" "$file" 2>complaint; then
+        echo "not applied: $1: $(cat complaint)"
+    elif ! make "build/test/$run" >complaint 2>&1; then
+        echo "not compiled: $1: see $tree/complaint"
+    else
+        run_until_killed "$run" output.tap "$killer"
+        if is_killed output.tap "$killer"; then
+            cd "$root" && rm -rf "$tree"
+            printf 'killed       %-34s by %s\n' "$1" "$killer"
+        elif grep -q '^not ok' output.tap; then
+            caught=$(sed -n 's/^#   claim: //p; s/.*: stopped by signal.*/a crash/p
+                s/.*: did not end.*/no end/p' output.tap | sort -u | paste -s -d , -)
+            echo "misnamed: $1: caught by $caught and not by $killer"
+        else
+            echo "survived: $1: see $tree"
+        fi
+    fi
+}
+
+if [ "${1-}" = --one ]; then
+    try_mutant "$2"
+    exit
+fi
+
+if [ $# -eq 0 ]; then
+    for mutant in tests/mutants/*.mutant; do
+        name=${mutant##*/}
+        set -- "$@" "${name%.mutant}"
+    done
+fi
+tests=$(for name in "$@"; do value run "tests/mutants/$name.mutant"; done | sort -u)
+
+# The sources anew, the objects of last time.
+mkdir -p "$base"
+for item in "$base"/*; do
+    [ "$item" = "$base/build" ] || rm -rf "$item"
+done
+cp -Rp Makefile lib chapters tests "$base"
+for name in $tests; do
+    if ! (cd "$base" && make "build/test/$name" >complaint 2>&1 &&
+        "build/test/$name" >"$name.tap" 2>&1); then
+        echo "$name fails without any bug planted: see $base/complaint, $name.tap"
+        echo "0 passed, $# failed"
+        exit 1
+    fi
+done
+
+printf '%s\n' "$@" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --one |
+    awk -v wanted=$# '
+    { print }
+    /^killed / { killed++ }
+    END {
+        printf "%d passed, %d failed\n", killed, wanted - killed
+        exit killed != wanted || wanted == 0
+    }'
