@@ -76,7 +76,7 @@ cross_sign(point2 p, point2 q, point2 r, point2 s)
  *    0  the three points are collinear (or two of them coincide)
  *
  * Swapping two arguments flips the sign; rotating all three keeps it.
- * Cost: 2 multiplications when the points are not nearly collinear.
+ * Cost: 3 multiplications when the points are not nearly collinear.
  * Source: notes 3.4, first determinant (row 2 corrected: docs/errata.md, E27),
  * with row 3 subtracted from the others.
  */
@@ -94,7 +94,7 @@ orient2d(point2 a, point2 b, point2 c)
  * Points met at the same moment are ordered by their place on the line, so that
  * for d = (1,0) this is the lexicographic order. It is a total order.
  * Requires: d is not (0,0).
- * Cost: 2 multiplications when p and q are not nearly met together.
+ * Cost: 3 multiplications when p and q are not nearly met together.
  * Source: notes 2.3, line 1 of Figure 3; ties: docs/errata.md, E12.
  */
 static inline int
@@ -111,7 +111,7 @@ compare_along(point2 d, point2 p, point2 q)
  *   -1  |pq| < |rs|        0  they are equal        +1  |pq| > |rs|
  *
  * The sign of |pq|^2 - |rs|^2. With q = s: which of p and r is nearer to q?
- * Cost: 4 multiplications when the distances are not nearly equal.
+ * Cost: 5 multiplications when the distances are not nearly equal.
  * Source: notes 3.1, the half-plane H_pq.
  */
 static inline int
@@ -137,7 +137,7 @@ compare_distance(point2 p, point2 q, point2 r, point2 s)
  *
  * for a, b, c in counterclockwise order; for clockwise order the signs are
  * exchanged. For collinear a, b, c the answer is not about a circle.
- * Cost: 17 multiplications when d is not nearly on the circle.
+ * Cost: 20 multiplications when d is not nearly on the circle.
  * Source: notes 3.4, second determinant (a fourth row is missing there, and the
  * sign is the opposite of an orientation: docs/errata.md, E28 and E29).
  */
@@ -176,7 +176,7 @@ incircle(point2 a, point2 b, point2 c, point2 d)
  *    0  the four points lie in one plane
  *
  * where "above" is the side from which a, b, c turn counterclockwise.
- * Cost: 10 multiplications when d is not nearly in the plane.
+ * Cost: 14 multiplications when d is not nearly in the plane.
  * Source: Shewchuk 1997; the sign is that of det(a-d, b-d, c-d).
  */
 static inline int
