@@ -41,7 +41,7 @@ claims_of_tests() {
         }
     }
     function newlines(s) { return gsub(/\n/, "", s) }
-    ' tests/*.c
+    ' tests/*.c tests/oracle/*.c
 }
 
 # NUMBER FILE:LINE LAST-COLUMN, for each erratum.
