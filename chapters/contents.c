@@ -3,6 +3,7 @@
 
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/3.7_divide_and_conquer/divide.h"
 
 #include <string.h>
 
@@ -11,6 +12,8 @@ const algorithm contents[] = {
      "a line sweeps over the points (Figure 3)"},
     {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true,
      "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
+    {"divide", "3.7", "divide_triangulate", divide_triangulate, true,
+     "halves, divided along a line again and again, are merged"},
 };
 
 const uint32_t contents_count = sizeof contents / sizeof contents[0];

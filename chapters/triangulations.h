@@ -13,6 +13,7 @@ extern "C" {
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/3.7_divide_and_conquer/divide.h"
 #include "chapters/contents.h"
 #include "lib/mesh.h"
 #include "lib/options.h"

@@ -65,7 +65,7 @@ mesh_set_triangle(mesh *m, halfedge_id e, vertex_id a, vertex_id b, vertex_id c)
 halfedge_id
 mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c)
 {
-    assert(m->triangles + 2 < 2 * m->locations + 1);
+    assert(m->triangles + 2 < 2 * m->locations);
     halfedge_id ab = mesh_halfedges(m);
     m->triangles++;
     mesh_set_triangle(m, ab, a, b, c);
@@ -82,12 +82,33 @@ mesh_link(mesh *m, halfedge_id e, halfedge_id f)
 halfedge_id
 mesh_start(mesh *m, vertex_id a, vertex_id b)
 {
-    assert(m->triangles == 0 && a != b);
+    assert(a != b);
     halfedge_id ab = mesh_add_triangle(m, a, b, GHOST);
     halfedge_id ba = mesh_add_triangle(m, b, a, GHOST);
     mesh_link(m, ab, ba);
     mesh_link(m, mesh_next(ab), mesh_prev(ba)); /* b GHOST and GHOST b */
     mesh_link(m, mesh_prev(ab), mesh_next(ba)); /* GHOST a and a GHOST */
+    return ab;
+}
+
+/* Cuts open two spheres along the edges e and f, which have the same ends, and sews
+ * each side of one cut to the opposite side of the other: the two are one sphere. */
+static void
+sew(mesh *m, halfedge_id e, halfedge_id f)
+{
+    halfedge_id e_twin = mesh_twin(m, e), f_twin = mesh_twin(m, f);
+    mesh_link(m, e, f_twin);
+    mesh_link(m, f, e_twin);
+}
+
+halfedge_id
+mesh_bridge(mesh *m, halfedge_id e, halfedge_id f)
+{
+    halfedge_id a_ghost = mesh_next(mesh_twin(m, e));
+    halfedge_id b_ghost = mesh_next(mesh_twin(m, f));
+    halfedge_id ab = mesh_start(m, mesh_origin(m, e), mesh_origin(m, f));
+    sew(m, a_ghost, mesh_next(mesh_twin(m, ab)));
+    sew(m, b_ghost, mesh_next(ab));
     return ab;
 }
 

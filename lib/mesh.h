@@ -202,9 +202,22 @@ void mesh_set_triangle(mesh *m, halfedge_id e, vertex_id a, vertex_id b, vertex_
 /* e and f become twins. */
 void mesh_link(mesh *m, halfedge_id e, halfedge_id f);
 
-/* The first edge: a path from a to b, with the outside on both sides of it.
- * Returns the half-edge from a to b. Requires: an empty mesh. */
+/* An edge of its own: a path from a to b, with the outside on both sides of it.
+ * Returns the half-edge from a to b. Requires: room. */
 halfedge_id mesh_start(mesh *m, vertex_id a, vertex_id b);
+
+/* An edge between two triangulations, which makes them one: it joins the vertices
+ * a and b where hull edges e and f begin. The two hulls
+ *
+ *     ... ---> a --e--> ...        and        ... ---> b --f--> ...
+ *
+ * become one, which runs along the new edge there and back:
+ *
+ *     ... ---> a ------> b --f--> ... ---> b ------> a --e--> ...
+ *
+ * Returns the half-edge from a to b; its twin is the hull edge before e.
+ * Requires: room; e and f belong to different triangulations. */
+halfedge_id mesh_bridge(mesh *m, halfedge_id e, halfedge_id f);
 
 /* The outside of hull edge e, from a to b, becomes the triangle b a p.
  * The hull is broken until mesh_hull_join has been called. */

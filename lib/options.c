@@ -34,6 +34,8 @@ tri_accept(const point2 *points, uint32_t n, const tri_options *given,
     if (!isfinite(used->direction.x) || !isfinite(used->direction.y) ||
         (used->direction.x == 0 && used->direction.y == 0))
         return TRI_BAD_OPTION;
+    if (used->cuts != TRI_CUTS_VERTICAL && used->cuts != TRI_CUTS_ALTERNATING)
+        return TRI_BAD_OPTION;
     if (!arithmetic_is_ieee())
         return TRI_BAD_FP_ENVIRONMENT;
     if (n == UINT32_MAX)

@@ -21,10 +21,17 @@
 
 #include <stddef.h>
 
+/* 3.7: how points are divided that lie in order along the direction. */
+typedef enum tri_cuts {
+    TRI_CUTS_VERTICAL,   /* always across the direction */
+    TRI_CUTS_ALTERNATING /* across it and along it in turn */
+} tri_cuts;
+
 typedef struct tri_options {
     size_t size;      /* sizeof (tri_options): lets the struct grow */
-    point2 direction; /* 2.3: the sweep line moves along it; default (1,0) */
+    point2 direction; /* 2.3, 3.7: the order of the points; default (1,0) */
     trace *trace;     /* who watches; default NULL, nobody */
+    tri_cuts cuts;    /* 3.7; default TRI_CUTS_VERTICAL */
 } tri_options;
 
 /* The defaults, with their size filled in. */
@@ -33,7 +40,8 @@ tri_options tri_options_default(void);
 /* What every algorithm does first: may it run on these points?
  *
  *   TRI_OK                  yes; *used holds the options to use
- *   TRI_BAD_OPTION          wrong size, or a direction that is zero or not finite
+ *   TRI_BAD_OPTION          wrong size, a direction that is zero or not finite,
+ *                           or cuts that are none of the above
  *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
  *   TRI_NOT_FINITE          some coordinate is NaN or infinite
  *   TRI_TOO_MANY_POINTS     n is UINT32_MAX: the last index would be GHOST

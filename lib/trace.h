@@ -18,7 +18,8 @@ typedef enum trace_kind {
     TRACE_ATTACH, /* a joined to the hull; edge = the new hull edge leaving a */
     TRACE_POP,    /* edge, from a to b, taken from the stack */
     TRACE_FLIP,   /* a b became c d; edge now leads from d to c */
-    TRACE_PUSH    /* edge, from a to b, put on the stack */
+    TRACE_PUSH,   /* edge, from a to b, put on the stack */
+    TRACE_BRIDGE  /* edge, from a to b, joins two triangulations */
 } trace_kind;
 
 typedef struct trace_event {
