@@ -67,10 +67,10 @@ output_begin(output *o, const char *path)
 tri_status
 output_commit(output *o)
 {
-    /* ferror tells of every earlier write; the last ones fail in the flush, on
-     * some file systems only in the close. */
-    int failed = fflush(o->file) != 0;
-    failed |= ferror(o->file) != 0;
+    /* ferror remembers every write that failed, the flush included; on some file
+     * systems the last ones fail only in the close. */
+    fflush(o->file);
+    int failed = ferror(o->file) != 0;
     if (o->file != stdout)
         failed |= fclose(o->file) != 0;
     o->file = NULL;

@@ -137,6 +137,13 @@ decimals_are_rounded_once(void)
         write_some_number(text);
         check_reading(text);
     }
+    /* Where the exact short cuts end: at 2^53 and at 10^22. */
+    for (uint64_t whole = (UINT64_C(1) << 53) - 8; whole >> 3 <= UINT64_C(1) << 50;
+         whole++)
+        for (int e = -25; e <= 25; e++) {
+            sprintf(text, "%llue%d", (unsigned long long)whole, e);
+            check_reading(text);
+        }
     for (int i = 0; i < 500; i++) {
         uint64_t odd = random_bits(test_random_source()) >> 11 | 1;
         odd |= UINT64_C(1) << 53;

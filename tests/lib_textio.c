@@ -230,10 +230,12 @@ counted_lines_are_missed(void)
         text t = copy_text(samples[s].text, strlen(samples[s].text));
         tri_status status =
             read_as(samples[s].what, samples[s].name, t, &error);
-        CLAIM("textio.whole", status == TRI_OK, "sample %d is not read: %s", s, error.text);
+        CLAIM("textio.whole", status == TRI_OK, "sample %d is not read: %s", s,
+              error.text);
         t.size = (size_t)(end - samples[s].text);
         status = read_as(samples[s].what, samples[s].name, t, &error);
-        CLAIM("textio.whole", status == TRI_BAD_FILE, "sample %d without its last line is read", s);
+        CLAIM("textio.whole", status == TRI_BAD_FILE,
+              "sample %d without its last line is read", s);
         free(t.bytes);
     }
 }

@@ -169,12 +169,13 @@ degenerate_points_are_reported(void)
     run_tri(0, "check --delaunay $d/line.xy $d/line.ele");
     for (int n = 0; n < 3; n++) {
         char arguments[200];
-        snprintf(arguments, sizeof arguments, "generate uniform %d -o $d/few.node", n);
+        snprintf(arguments, sizeof arguments,
+                 "generate uniform %d -o $d/few.node", n);
         run_tri(0, arguments);
         run_tri(0, "triangulate -o $d/few.ele $d/few.node");
         CLAIM("tri.few", one_line("err") && has("err", "no triangles") &&
-              strcmp(read_scratch("few.ele").text, "0 3 0\n") == 0, "%d points: %s", n,
-              read_scratch("err").text);
+              strcmp(read_scratch("few.ele").text, "0 3 0\n") == 0,
+              "%d points: %s", n, read_scratch("err").text);
         run_tri(0, "check --delaunay $d/few.node $d/few.ele");
         run_tri(0, "hull -o $d/few.edge $d/few.node");
         run_tri(0, "draw $d/few.node $d/few.ele -o $d/few.svg");
@@ -187,7 +188,8 @@ pictures_and_statistics(void)
     run_tri(0, "draw docs/data/timezones.csv -o $d/p.svg");
     CLAIM("tri.picture", has("p.svg", "<svg") && has("p.svg", "<title>"),
           "no picture: %.80s", read_scratch("p.svg").text);
-    run_tri(0, "triangulate --algorithm sweep --direction 0,1 --svg $d/t.svg --stats "
+    run_tri(0, "triangulate --algorithm sweep --direction 0,1 --svg $d/t.svg "
+           "--stats "
            "-o $d/t.ele docs/data/timezones.csv");
     CLAIM("tri.picture", has("t.svg", "<svg"), "no picture");
     const char *const names[] = {"points 312\n", "locations 312\n", "duplicates 0\n",
@@ -276,7 +278,6 @@ what_is_no_file_is_refused(void)
     const char *const arguments[] = {
         "triangulate $d/missing.node", "triangulate $d",
         "check tests/bad_files/good.node $d/missing.ele",
-        "triangulate -o $d tests/bad_files/good.node",
         "triangulate -o $d/no/such/folder/x.ele tests/bad_files/good.node",
         "draw tests/bad_files/good.node -o $d/no/such/folder/x.svg"};
     for (size_t i = 0; i < sizeof arguments / sizeof arguments[0]; i++) {
@@ -284,8 +285,12 @@ what_is_no_file_is_refused(void)
         CLAIM("tri.one_line", one_line("err") && has("err", ": cannot be "),
               "tri %s: %s", arguments[i], read_scratch("err").text);
     }
+    run_tri(2, "triangulate -o $d tests/bad_files/good.node");
+    CLAIM("tri.one_line", has("err", "it is a folder"), "%s",
+          read_scratch("err").text);
     run_tri(2, "triangulate - </dev/null");
-    CLAIM("tri.says_where", has("err", "<stdin>:1: "), "%s", read_scratch("err").text);
+    CLAIM("tri.says_where", has("err", "<stdin>:1: "), "%s",
+          read_scratch("err").text);
 }
 
 static void
@@ -316,35 +321,44 @@ static void
 failed_writing_leaves_the_old_file(void)
 {
     shell("$tri generate uniform 20000 -o $d/u.node; echo old >$d/u.ele");
-    int status = shell("(ulimit -f 64; trap '' XFSZ; exec $tri triangulate -o $d/u.ele "
-                       "$d/u.node) 2>$d/err");
-    CLAIM("tri.full", status == 2 && one_line("err") && has("err", "cannot be written"),
+    int status = shell("(ulimit -f 64; trap '' XFSZ; "
+                       "exec $tri triangulate -o $d/u.ele $d/u.node) 2>$d/err");
+    CLAIM("tri.full",
+          status == 2 && one_line("err") && has("err", "cannot be written"),
           "exit status %d: %s", status, read_scratch("err").text);
     CLAIM("tri.old_file", strcmp(read_scratch("u.ele").text, "old\n") == 0,
           "the old output is gone");
     CLAIM("tri.old_file", shell("ls $d/*.part >$d/out 2>&1") != 0, "%s is left",
           read_scratch("out").text);
 
-    if (access("/dev/full", W_OK) != 0)
+    /* Devices are written in place. Names in /dev/fd are used, as a program that
+     * replaced them by files would do no harm there, even to root. */
+    if (access("/dev/full", W_OK) != 0 || access("/dev/fd/0", F_OK) != 0)
         return;
-    run_tri(2, "triangulate -o /dev/full $d/u.node");
-    CLAIM("tri.full", one_line("err") && has("err", "/dev/full: cannot be written"),
+    run_tri(0, "triangulate -o /dev/fd/3 3>$d/3.ele $d/u.node");
+    run_tri(0, "check $d/u.node $d/3.ele");
+    run_tri(2, "triangulate -o /dev/fd/3 3>/dev/full $d/u.node");
+    CLAIM("tri.full", one_line("err") && has("err", "/dev/fd/3: cannot be written"),
           "%s", read_scratch("err").text);
-    CLAIM("tri.full", access("/dev/full.1.part", F_OK) != 0, "/dev/full.1.part is made");
-    status = shell("$tri triangulate $d/u.node >/dev/full 2>$d/err");
-    CLAIM("tri.full", status == 2 && has("err", "<stdout>: cannot be written"),
-          "exit status %d: %s", status, read_scratch("err").text);
-    run_tri(2, "triangulate --svg /dev/full $d/u.node");
-    run_tri(2, "generate uniform 10 -o /dev/full");
-    run_tri(2, "hull -o /dev/full $d/u.node");
+    run_tri(2, "triangulate --svg /dev/fd/3 3>/dev/full $d/u.node");
+    run_tri(2, "generate uniform 10 -o /dev/fd/3 3>/dev/full");
+    run_tri(2, "hull -o /dev/fd/3 3>/dev/full $d/u.node");
+    const char *const printing[] = {"triangulate $d/u.node", "generate uniform 1",
+                                    "check $d/u.node $d/3.ele", "help"};
+    for (size_t i = 0; i < sizeof printing / sizeof printing[0]; i++) {
+        status = shell("$tri %s >/dev/full 2>$d/err", printing[i]);
+        CLAIM("tri.full", status == 2 && has("err", "<stdout>: cannot be written"),
+              "tri %s: exit status %d: %s", printing[i], status,
+              read_scratch("err").text);
+    }
 }
 
 static void
 closed_pipes_are_errors(void)
 {
     shell("$tri generate uniform 20000 -o $d/u.node");
-    int status = shell("{ $tri triangulate $d/u.node 2>$d/err; echo $? >$d/status; } | "
-                       "true");
+    int status = shell("{ $tri triangulate $d/u.node 2>$d/err; "
+                       "echo $? >$d/status; } | true");
     CLAIM("tri.pipe", status == 0 && strcmp(read_scratch("status").text, "2\n") == 0,
           "exit status %s", read_scratch("status").text);
     CLAIM("tri.pipe", one_line("err") && has("err", "cannot be written"), "%s",
@@ -363,7 +377,8 @@ doubles_go_through(const point2 *points, uint32_t n)
     text_write_points(file, points, n, 1);
     fclose(file);
     int status = shell("LC_ALL=de_DE.UTF-8 $tri triangulate -o $d/d.ele $d/d.node "
-                       "2>$d/err && $tri check --delaunay $d/d.node $d/d.ele >$d/out");
+                       "2>$d/err && "
+                       "$tri check --delaunay $d/d.node $d/d.ele >$d/out");
     CLAIM("tri.certified", status == 0, "%s%s", read_scratch("err").text,
           read_scratch("out").text);
 }
@@ -400,7 +415,8 @@ main(int argc, char **argv)
     test_run("bad files are refused", bad_files_are_refused);
     test_run("what is no file is refused", what_is_no_file_is_refused);
     test_run("wrong arguments are explained", wrong_arguments_are_explained);
-    test_run("failed writing leaves the old file", failed_writing_leaves_the_old_file);
+    test_run("failed writing leaves the old file",
+             failed_writing_leaves_the_old_file);
     test_run("closed pipes are errors", closed_pipes_are_errors);
     int status = test_end((test_minima){.trials = 70});
     if (shell("rm -r $d") != 0)

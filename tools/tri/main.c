@@ -81,11 +81,9 @@ command_help(int argc, char **argv)
     die_usage("help", "there is no command %s", argv[1]);
 }
 
-int
-main(int argc, char **argv)
+static int
+run(int argc, char **argv)
 {
-    /* A reader who leaves early is an error of writing like any other. */
-    signal(SIGPIPE, SIG_IGN);
     if (argc < 2) {
         print_commands(stderr);
         return EXIT_UNUSABLE;
@@ -100,4 +98,15 @@ main(int argc, char **argv)
     fprintf(stderr, "tri: there is no command %s\n\n", argv[1]);
     print_commands(stderr);
     return EXIT_UNUSABLE;
+}
+
+int
+main(int argc, char **argv)
+{
+    /* A reader who leaves early is an error of writing like any other. */
+    signal(SIGPIPE, SIG_IGN);
+    int status = run(argc, argv);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        die("<stdout>: cannot be written");
+    return status;
 }
