@@ -24,7 +24,7 @@ now(void)
 
 typedef struct watcher {
     trace base;
-    uint64_t events, attached, flips;
+    uint64_t events, flips;
     bool terminal;
     double next_line; /* when to write about progress again */
 } watcher;
@@ -33,12 +33,11 @@ static int
 see(trace *self, const mesh *m, const trace_event *event)
 {
     watcher *w = (watcher *)self;
-    w->attached += event->kind == TRACE_ATTACH;
     w->flips += event->kind == TRACE_FLIP;
     /* The clock is asked rarely, as asking takes longer than counting. */
     if (w->terminal && ++w->events % 65536 == 0 && now() > w->next_line) {
-        fprintf(stderr, "\r%" PRIu64 " of %lu points, %" PRIu64 " flips ",
-                w->attached, (unsigned long)m->locations, w->flips);
+        fprintf(stderr, "\rtri: %lu triangles, %" PRIu64 " flips ",
+                (unsigned long)m->triangles, w->flips);
         w->next_line = now() + 0.25;
     }
     return 0;
