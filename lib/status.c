@@ -26,6 +26,8 @@ tri_status_text(tri_status status)
         return "the file cannot be read";
     case TRI_CANNOT_WRITE:
         return "the file cannot be written";
+    case TRI_OUT_OF_RANGE:
+        return "a result is larger than the largest double: use a smaller unit";
     }
     return "unknown status";
 }

@@ -19,7 +19,8 @@ typedef enum tri_status {
     TRI_CANCELLED = 6,
     TRI_BAD_FILE = 7,
     TRI_CANNOT_READ = 8,
-    TRI_CANNOT_WRITE = 9
+    TRI_CANNOT_WRITE = 9,
+    TRI_OUT_OF_RANGE = 10
 } tri_status;
 
 /* One sentence for people, without a full stop: what is wrong and what to do. */

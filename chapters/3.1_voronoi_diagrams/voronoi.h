@@ -1,0 +1,179 @@
+/* voronoi.h - who is nearest to what: regions, the diagram, and its dual.
+ *
+ * Notes: section 3.1, Definitions 5 and 6. Needs: 3.4 (orient2d, incircle,
+ * compare_distance), a Delaunay triangulation (any of 3.5 to 3.7), 2.1 and 3.5 for
+ * the check, lib/mesh.h. Exercises: 3.1-a to 3.1-c.
+ *
+ * A Voronoi vertex is the centre of a circle through at least three sites, so it is
+ * named by these sites, and all questions about it are asked of the sites. Its
+ * coordinates are computed only to be shown (circumcentre), and decide nothing.
+ */
+#ifndef CHAPTERS_3_1_VORONOI_H
+#define CHAPTERS_3_1_VORONOI_H
+
+#include "lib/mesh.h"
+
+/* ---- Definition 5: one region, from the definition. ---- */
+
+/* The region of a site: the sites whose bisectors carry its edges, counterclockwise.
+ *
+ * Sites i and i+1 (the last and the first, too) meet in a vertex if they and the
+ * site p turn left, orient2d(p, i, i+1) > 0; otherwise the region is unbounded
+ * between their edges. An unbounded region begins after that gap, a bounded one,
+ * and a strip, with the lowest index. The whole plane has no edges. */
+typedef struct voronoi_region {
+    uint32_t size;
+    vertex_id *neighbour;
+} voronoi_region;
+
+/* The Voronoi region of p, by intersecting the half-planes H_pq one after the other.
+ *
+ * Of sites at one location the lowest index is listed; copies of p do not matter.
+ * Cost: O(n k) tests, when the region never has more than k edges on the way.
+ * TRI_OUT_OF_MEMORY: *out is zeroed.
+ * Source: notes 3.1, Definition 5. */
+tri_status voronoi_region_of(const point2 *points, uint32_t n, vertex_id p,
+                             voronoi_region *out);
+
+/* Frees the array and zeroes *region; a zeroed region is accepted. */
+void voronoi_region_free(voronoi_region *region);
+
+/* ---- Definition 6: all regions together. ---- */
+
+/* An edge lies on the bisector of two sites and runs with `left` on its left. */
+typedef struct voronoi_edge {
+    vertex_id left, right;
+    uint32_t from, to; /* vertices; NONE at infinity */
+} voronoi_edge;
+
+/* The diagram. Edges of both kinds of unbounded form exist: a ray has from != NONE
+ * and to == NONE; a line, when all sites are collinear, has NONE at both ends. */
+typedef struct voronoi {
+    uint32_t points;   /* n: sites are numbered 0 .. n-1 */
+    uint32_t cells;    /* u: distinct sites, each with its cell */
+    uint32_t vertices; /* v */
+    uint32_t edges;    /* e */
+
+    /* Vertex i is the centre of a circle through vertex_site[vertex_first[i] ..
+     * vertex_first[i+1]-1], counterclockwise: at least 3 sites, and all on it. */
+    uint32_t *vertex_first;
+    vertex_id *vertex_site;
+
+    voronoi_edge *edge;
+
+    /* The cell of site p has the edges cell_edge[cell_first[p] ..
+     * cell_first[p+1]-1], counterclockwise, beginning as a voronoi_region does.
+     * Copies of an earlier site have none, nor has a single site. */
+    uint32_t *cell_first;
+    uint32_t *cell_edge;
+} voronoi;
+
+/* The Voronoi diagram, as the dual of a Delaunay triangulation.
+ *
+ * Requires: *m is a Delaunay triangulation of the points. Which one does not matter:
+ * triangles with the same circle share a vertex, and an edge between them vanishes.
+ * Cost: O(n); one incircle test for each edge inside the hull.
+ * TRI_OUT_OF_MEMORY: *out is zeroed.
+ * Source: notes 3.1, Definition 6 and the dual. */
+tri_status voronoi_dual(const mesh *m, const point2 *points, voronoi *out);
+
+/* The same with a vertex for each triangle, in the order of mesh_triangles, and an
+ * edge for each edge of the triangulation, of length 0 where circles coincide. */
+tri_status voronoi_per_triangle(const mesh *m, voronoi *out);
+
+/* Frees the arrays and zeroes *d; a zeroed diagram is accepted. */
+void voronoi_free(voronoi *d);
+
+/* The site on the other side of edge k of p's cell. */
+static inline vertex_id
+voronoi_beyond(const voronoi *d, uint32_t k, vertex_id p)
+{
+    return d->edge[k].left == p ? d->edge[k].right : d->edge[k].left;
+}
+
+/* Is *d the Voronoi diagram of the points?
+ *
+ * It holds exactly when
+ *   1. the sites of each vertex are cocircular, and fans of triangles over them
+ *      make a Delaunay triangulation;
+ *   2. no two neighbouring vertices are the same point;
+ *   3. around each site the edges of its cell run from corner to corner of these
+ *      polygons, each corner is met once, and each edge has its two cells;
+ *   4. of collinear sites, the edges are lines between neighbours along the line
+ * (page 3.1, sec3.1.P11: that is enough). Refuted: the sites to look at.
+ * Cost: O(n log n). TRI_OUT_OF_MEMORY: *out says nothing. */
+tri_status is_voronoi(const point2 *points, uint32_t n, const voronoi *d,
+                      verdict *out);
+
+/* ---- Coordinates, rounded. ---- */
+
+/* The centre of the circle through a, b and c. Each coordinate is the exact quotient
+ * rounded once, to the nearest double, ties to even.
+ *
+ * Requires: a, b, c are not collinear.
+ * TRI_OUT_OF_RANGE: a coordinate is larger than the largest double; *out is zeroed.
+ * Cost: a few exact signs; about a hundred when a coordinate is very large or small.
+ */
+tri_status circumcentre(point2 a, point2 b, point2 c, point2 *out);
+
+/* All vertices of a diagram: at[0 .. vertices-1]. TRI_OUT_OF_RANGE as above. */
+tri_status voronoi_vertices(const voronoi *d, const point2 *points, point2 *at);
+
+/* The direction in which edge k runs: the vector from its left to its right site,
+ * turned left by 90 degrees, each component rounded once; half of it if that is
+ * more than the doubles hold. */
+point2 voronoi_direction(const voronoi *d, const point2 *points, uint32_t k);
+
+/* The point half way between the two sites of edge k, each coordinate rounded once.
+ * The edge's line runs through it. */
+point2 voronoi_midpoint(const voronoi *d, const point2 *points, uint32_t k);
+
+/* ---- For pictures. ---- */
+
+/* The part of edge k inside a box, rounded; false when there is none.
+ * Requires: at[] holds the vertices' coordinates; min <= max. */
+bool voronoi_edge_in_box(const voronoi *d, const point2 *points, const point2 *at,
+                         uint32_t k, point2 min, point2 max, point2 segment[2]);
+
+/* What a convex polygon keeps inside H_pq, where p is at least as near as q. Returns
+ * its size. Rounded; for pictures and areas.
+ * Requires: room for size + 1 corners in out, which is another array. */
+uint32_t cut_polygon(const point2 *polygon, uint32_t size, point2 p, point2 q,
+                     point2 *out);
+
+/* ---- The nearest site, and coordinates among neighbours. ---- */
+
+/* A site that is nearest to x, by walking over the Delaunay triangulation *m: from
+ * each site to the neighbour nearest to x, as long as one is nearer.
+ *
+ * Requires: m->locations > 0; start is a vertex of *m, or m->locations is 1.
+ * *visited, if not NULL, counts the sites that x has been compared with.
+ * Cost: a comparison of distances for each of them, and for each neighbour.
+ * Source: notes 3.1, the post-office problem; file search on the page of Figure 5.
+ */
+vertex_id nearest_site(const mesh *m, const point2 *points, point2 x,
+                       vertex_id start, uint32_t *visited);
+
+/* Is the cell of p bounded? */
+bool voronoi_is_bounded(const voronoi *d, vertex_id p);
+
+/* The local coordinates of site p among the sites beyond the edges of its cell: weights
+ * w that are positive, have the sum 1, and for which the sum of w_q q is p. There are
+ * two such families:
+ *
+ *   laplace   w_q proportional to l_q / |pq|, with l_q the length of the edge that
+ *             the cells of p and q share
+ *   sibson    w_q proportional to the area that the cell of p takes from the cell
+ *             that q would have without p
+ *
+ * weight[i] belongs to the site beyond the i-th edge of the cell. They are rounded.
+ * Requires: voronoi_is_bounded; room for a weight for each edge of the cell.
+ * Cost: O(k), and O(k^3) for sibson, of a cell with k edges.
+ * TRI_OUT_OF_RANGE when lengths or areas are not, TRI_OUT_OF_MEMORY: no weights.
+ * Source: Sibson (1980), named on the page that notes 3.1 show. */
+tri_status laplace_coordinates(const voronoi *d, const point2 *points, vertex_id p,
+                               double *weight);
+tri_status sibson_coordinates(const voronoi *d, const point2 *points, vertex_id p,
+                              double *weight);
+
+#endif
