@@ -11,10 +11,11 @@
 bool
 is_locally_delaunay(const mesh *m, const point2 *points, halfedge_id ab)
 {
-    if (!mesh_is_interior(m, ab))
+    halfedge_id ba = mesh_twin(m, ab);
+    if (mesh_is_hull_edge(m, ab) || mesh_is_hull_edge(m, ba))
         return true;
-    vertex_id a = mesh_origin(m, ab), b = mesh_dest(m, ab);
-    vertex_id c = mesh_apex(m, ab), d = mesh_apex(m, mesh_twin(m, ab));
+    vertex_id a = mesh_origin(m, ab), b = mesh_origin(m, ba);
+    vertex_id c = mesh_apex(m, ab), d = mesh_apex(m, ba);
     return incircle(points[a], points[b], points[c], points[d]) <= 0;
 }
 

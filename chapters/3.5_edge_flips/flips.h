@@ -15,7 +15,7 @@
  *          strictly inside the circumcircle of abc
  *   false  d lies strictly inside it
  *
- * Cost: at most 1 incircle test.
+ * Requires: ab is an edge, between two points. Cost: at most 1 incircle test.
  * Source: notes 3.5, Definition 9; "not inside" for "outside": docs/errata.md, E32.
  */
 bool is_locally_delaunay(const mesh *m, const point2 *points, halfedge_id ab);
