@@ -57,19 +57,35 @@ print_noise(FILE *to, const char *before, unsigned most_lines)
     fclose(file);
 }
 
+/* A sentence; if it has several lines, each begins as a comment does. */
+static void
+print_sentence(const char *sentence)
+{
+    for (; *sentence != '\0'; sentence++) {
+        if (*sentence != '\n')
+            putchar(*sentence);
+        else if (sentence[1] != '\0')
+            printf("\n#     ");
+    }
+    putchar('\n');
+}
+
 static void
 print_because(const test *t, ending how)
 {
     int status = how.status;
-    if (how.failed[0] != '\0')
-        printf("#   because: %s\n#   claim: %s\n", how.because, how.failed);
-    else if (was_endless(how))
+    if (how.failed[0] != '\0') {
+        printf("#   because: ");
+        print_sentence(how.because);
+        printf("#   claim: %s\n", how.failed);
+    } else if (was_endless(how)) {
         printf("#   because: did not end within %ld s\n", t->milliseconds / 1000);
-    else if (WIFSIGNALED(status))
+    } else if (WIFSIGNALED(status)) {
         printf("#   because: stopped by signal %d (%s)\n", WTERMSIG(status),
                strsignal(WTERMSIG(status)));
-    else
+    } else {
         printf("#   because: exited with status %d\n", WEXITSTATUS(status));
+    }
     print_noise(stdout, "#     it printed: ", MOST_LINES_OF_NOISE);
 }
 

@@ -1,0 +1,109 @@
+#!/bin/sh
+# run_long.sh BUILD TEST... - what takes too long for every day.
+#
+#   1. every test with ten times as many trials;
+#   2. the tests of 3.4 built by gcc and clang without and with optimisation, for this
+#      very processor, with contraction where the filters are inlined, and for 32 bits;
+#   3. the reader of points under a fuzzer, for FUZZ_SECONDS (60 if not given).
+#
+# What a machine lacks is skipped, with a sentence. Ends with "N passed, N failed".
+set -u
+
+if [ $# -lt 2 ]; then
+    echo "usage: tests/run_long.sh BUILD TEST..." >&2
+    exit 2
+fi
+build=$1
+shift
+long=$build/long
+mkdir -p "$long/fuzz"
+rm -f "$long"/*.txt
+
+# Copies what comes in to the terminal and to a file, which the sum is made from.
+note() {
+    tee "$long/$1.txt"
+}
+
+# ---- 1 ----
+
+echo "--- ten times as many trials"
+TEST_ARGS='--trials-factor 10' tests/run.sh "$build" "$@" | note trials
+
+# ---- 2 ----
+
+predicates=$(printf '%s\n' "$@" | grep '^3\.4_')
+probe=$long/probe.c
+echo 'int main(void) { return 0; }' >"$probe"
+
+# try_flags NAME COMPILER FLAGS [FLAGS FOR PROGRAMS]
+try_flags() {
+    echo "--- 3.4 by $2 $3 ${4-}"
+    # shellcheck disable=SC2086 # several flags
+    if ! $2 $3 "$probe" -o "$long/probe" 2>"$long/probe.log"; then
+        echo "skipped: $2 $3 is not possible here: $(head -n 1 "$long/probe.log")"
+        return
+    fi
+    targets=
+    for name in $predicates; do
+        targets="$targets $long/$1/test/$name"
+    done
+    # shellcheck disable=SC2086 # several targets, several tests
+    if make -s BUILD="$long/$1" CC="$2" CFLAGS="$3" \
+        POSIX="-D_POSIX_C_SOURCE=200809L ${4-}" $targets; then
+        tests/run.sh "$long/$1" $predicates | note "$1"
+    else
+        echo "it does not compile"
+        echo "0 passed, 1 failed" | note "$1"
+    fi
+}
+
+for compiler in gcc clang; do
+    try_flags "$compiler-O0" "$compiler" -O0
+    try_flags "$compiler-O2" "$compiler" -O2
+    try_flags "$compiler-native" "$compiler" '-O3 -march=native'
+    try_flags "$compiler-contract" "$compiler" '-O3 -march=native' -ffp-contract=fast
+    try_flags "$compiler-32" "$compiler" '-O2 -m32 -msse2 -mfpmath=sse'
+done
+
+# ---- 3 ----
+
+seconds=${FUZZ_SECONDS-60}
+echo "--- the reader of points, fuzzed for $seconds s"
+sanitizers=address,undefined
+common="-std=c11 -g -O1 -I. -D_POSIX_C_SOURCE=200809L -fno-sanitize-recover=all"
+sources="tests/fuzz/read_points.c lib/*.c"
+target=$long/fuzz/read_points
+
+# shellcheck disable=SC2086 # several flags, several files
+fuzz() {
+    if clang $common "-fsanitize=fuzzer,$sanitizers" $sources -o "$target" -lm \
+        2>"$target.log"; then
+        rm -rf "$target.corpus"
+        mkdir "$target.corpus"
+        cp tests/bad_files/* "$target.corpus"
+        "$target" -max_total_time="$seconds" -seed=1 -rss_limit_mb=1000 \
+            -artifact_prefix="$target." "$target.corpus" >"$target.log" 2>&1
+    else
+        echo "without libFuzzer: by tests/fuzz/driver.c"
+        ${CC-cc} $common $sources tests/fuzz/driver.c -o "$target" -lm &&
+            "$target" "$seconds" 1 "$target.last" tests/bad_files/* >"$target.log" 2>&1
+    fi
+}
+if fuzz; then
+    tail -n 1 "$target.log"
+    echo "1 passed, 0 failed" | note fuzz
+else
+    tail -n 40 "$target.log"
+    echo "the text that did it is beside $target"
+    echo "0 passed, 1 failed" | note fuzz
+fi
+
+# ---- The sum. ----
+
+echo "--- in all"
+awk '
+/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
+END {
+    printf "%d passed, %d failed\n", passed, failed
+    exit failed > 0 || passed == 0
+}' "$long"/*.txt
