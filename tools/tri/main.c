@@ -23,6 +23,14 @@ const command commands[] = {
     {"hull", command_hull, "[-o OUT.edge] IN",
      "The boundary of the convex hull, counterclockwise, as edges between\n"
      "neighbouring points; those inside hull edges are included.\n"},
+    {"voronoi", command_voronoi, "[-o OUT] [--per-triangle] [--svg FILE] IN",
+     "The Voronoi diagram of the points of IN: OUT.v.node has the vertices, and\n"
+     "OUT.v.edge the edges, each between two of them. A ray has one vertex, -1\n"
+     "and its direction; a line (of collinear points) -1, -1, a point of it and\n"
+     "its direction. Coordinates are rounded once, to the nearest double.\n"
+     "  --per-triangle     a vertex for each triangle of OUT.ele, and an edge for\n"
+     "                     each of OUT.edge, perhaps of length 0\n"
+     "  --svg FILE         a picture\n"},
     {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
      "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"},
     {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",

@@ -30,6 +30,7 @@ extern const command commands[]; /* ended by a row without a name */
 int command_triangulate(int argc, char **argv);
 int command_check(int argc, char **argv);
 int command_hull(int argc, char **argv);
+int command_voronoi(int argc, char **argv);
 int command_generate(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_help(int argc, char **argv);
