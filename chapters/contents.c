@@ -2,6 +2,7 @@
 #include "chapters/contents.h"
 
 #include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
 
@@ -10,6 +11,8 @@
 const algorithm contents[] = {
     {"sweep", "2.3", "sweep_triangulate", sweep_triangulate, false,
      "a line sweeps over the points (Figure 3)"},
+    {"lift", "3.3", "lift_triangulate", lift_triangulate, true,
+     "the underside of a convex hull in space (Figure 8)"},
     {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true,
      "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
     {"divide", "3.7", "divide_triangulate", divide_triangulate, true,

@@ -12,6 +12,8 @@ extern "C" {
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
+#include "chapters/3.3_lifting_map/lifting.h"
+#include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
