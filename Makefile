@@ -2,9 +2,18 @@
 
 .SUFFIXES:
 .DELETE_ON_ERROR:
+.SECONDARY:
 .DEFAULT_GOAL := all
 .PHONY: all help demo test test-long check weave figures book bench mutants asan \
         install clean
+
+# Two commands at a time (JOBS=4: four), each said in a word (V=1: shown in full).
+JOBS ?= 2
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(JOBS)
+endif
+$(V).SILENT:
+SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),:,echo)
 
 CFLAGS   ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
@@ -36,18 +45,22 @@ help: ## this list
 
 $(BUILD)/plain/%.o: %.c
 	@mkdir -p $(@D)
+	@$(SAY) "  cc    $<"
 	$(COMPILE) -c $< -o $@
 
 $(BUILD)/counted/%.o: %.c
 	@mkdir -p $(@D)
+	@$(SAY) "  cc    $<"
 	$(COMPILE) -DTRI_COUNTED -c $< -o $@
 
 $(BUILD)/libtri.a: $(PLAIN)
 	@rm -f $@
+	@$(SAY) "  ar    $@"
 	ar rcs $@ $^
 
 $(BUILD)/counted/libtri.a: $(COUNTED)
 	@rm -f $@
+	@$(SAY) "  ar    $@"
 	ar rcs $@ $^
 
 # ---- Programs, tests, figures: POSIX, on top of the library. ----
@@ -56,32 +69,40 @@ POSIX = -D_POSIX_C_SOURCE=200809L
 
 $(BUILD)/posix/%.o: %.c
 	@mkdir -p $(@D)
+	@$(SAY) "  cc    $<"
 	$(COMPILE) $(POSIX) -c $< -o $@
 
 $(BUILD)/posix-counted/%.o: %.c
 	@mkdir -p $(@D)
+	@$(SAY) "  cc    $<"
 	$(COMPILE) $(POSIX) -DTRI_COUNTED -c $< -o $@
 
 $(BUILD)/tri: $(TRI:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 $(BUILD)/counted/tri: $(TRI:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 $(BUILD)/figures/%: $(BUILD)/posix/chapters/%/figures.o $(BUILD)/libtri.a
 	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 # Tests ask the counted library, so that they can say what they have reached.
 $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
                  $(HARNESS:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
 	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 # ---- What people run. ----
