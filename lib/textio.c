@@ -145,10 +145,3 @@ text_read_edges(const char *path, const text_points *points, edge_list *out,
     memory_free(bytes);
     return status;
 }
-
-void
-edge_list_free(edge_list *list)
-{
-    memory_free(list->ends);
-    *list = (edge_list){0};
-}

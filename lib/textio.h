@@ -1,6 +1,6 @@
 /* textio.h - points, triangles and edges as text files.
  *
- * Needs: lib/mesh.h (triangle_list), lib/decimal.h.
+ * Needs: lib/triangles.h, lib/edges.h, lib/decimal.h.
  *
  * Files of Shewchuk's Triangle (1996): everything after a # is a comment, empty
  * lines do not count, and items are numbered consecutively, from 0 or from 1.
@@ -31,9 +31,10 @@
 #ifndef LIB_TEXTIO_H
 #define LIB_TEXTIO_H
 
-#include "lib/mesh.h"
+#include "lib/edges.h"
 #include "lib/point.h"
 #include "lib/status.h"
+#include "lib/triangles.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -51,12 +52,6 @@ typedef struct text_points {
     uint32_t first; /* the number of points[0] in the file: 0 or 1 */
     point2 *points;
 } text_points;
-
-/* A list of edges. */
-typedef struct edge_list {
-    uint32_t count;
-    vertex_id (*ends)[2]; /* edge -> its two ends */
-} edge_list;
 
 /* Reads a file; "-" is standard input.
  *
@@ -84,9 +79,8 @@ tri_status text_parse_edges(const char *bytes, size_t size,
                             const text_points *points, edge_list *out,
                             text_error *error);
 
-/* Free the arrays and zero the structs; zeroed structs are accepted. */
+/* Frees the array and zeroes *points; a zeroed struct is accepted. */
 void text_points_free(text_points *points);
-void edge_list_free(edge_list *list);
 
 /* Write a file whose items, and points, are numbered from `first` on. What
  * fails is remembered by the FILE: ferror tells, and output_commit (output.h).
