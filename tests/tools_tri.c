@@ -1,64 +1,19 @@
 /* The program tri does what `tri help` says, and refuses the rest without harm.
  *
- * It is driven as people drive it, by the shell. Needed: the program, beside this
- * one's folder or where the environment's TRI says, and the project's root as the
- * current folder. What is not asked here: how long it takes.
+ * What is not asked here: what is in the files that -o can write (tools_formats), and
+ * how long it takes.
  */
 #include "lib/textio.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/shell.h"
 
 #include <glob.h>
-#include <stdarg.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
-
-/* ---- Running commands. ---- */
-
-static char scratch[400]; /* a folder of this run's own */
-
-/* Runs a printf command in the shell, where $tri is the program and $d a folder
- * for files. Returns the exit status. */
-#if defined __GNUC__
-__attribute__((format(printf, 1, 2)))
-#endif
-static int
-shell(const char *command, ...)
-{
-    char text[4000];
-    va_list arguments;
-    va_start(arguments, command);
-    vsnprintf(text, sizeof text, command, arguments);
-    va_end(arguments);
-    int status = system(text);
-    return status != -1 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-/* The first bytes of the file $d/name, as text. */
-typedef struct content {
-    char text[4000];
-} content;
-
-static content
-read_scratch(const char *name)
-{
-    content c = {""};
-    char path[500];
-    snprintf(path, sizeof path, "%s/%s", scratch, name);
-    FILE *file = fopen(path, "rb");
-    if (file != NULL) {
-        c.text[fread(c.text, 1, sizeof c.text - 1, file)] = '\0';
-        fclose(file);
-    }
-    return c;
-}
-
-static bool
-has(const char *name, const char *part)
-{
-    return strstr(read_scratch(name).text, part) != NULL;
-}
 
 /* Runs `$tri ARGUMENTS >$d/out 2>$d/err`, and claims its exit status. */
 static void
@@ -67,14 +22,6 @@ run_tri(int expected, const char *arguments)
     int status = shell("$tri %s >$d/out 2>$d/err", arguments);
     CLAIM("tri.status", status == expected, "tri %s: exit status %d, not %d: %s",
           arguments, status, expected, read_scratch("err").text);
-}
-
-static bool
-one_line(const char *name)
-{
-    content c = read_scratch(name);
-    const char *newline = strchr(c.text, '\n');
-    return newline != NULL && newline[1] == '\0';
 }
 
 /* ---- What it does. ---- */
@@ -255,18 +202,18 @@ bad_files_are_refused(void)
         char arguments[1000], begin[600];
         if (triangles)
             snprintf(arguments, sizeof arguments,
-                     "draw tests/bad_files/good.node %s -o $d/old", path);
+                     "draw tests/bad_files/good.node %s -o $d/old.ele", path);
         else
-            snprintf(arguments, sizeof arguments, "triangulate -o $d/old %s", path);
+            snprintf(arguments, sizeof arguments, "triangulate -o $d/old.ele %s", path);
         unsigned line = (unsigned)strtoul(strstr(path, "/line") + 5, NULL, 10);
         snprintf(begin, sizeof begin, "%s:%u: ", path, line);
 
-        shell("echo old >$d/old");
+        shell("echo old >$d/old.ele");
         run_tri(2, arguments);
         content err = read_scratch("err");
         CLAIM("tri.says_where", strncmp(err.text, begin, strlen(begin)) == 0 &&
               one_line("err"), "%s is refused with: %s", path, err.text);
-        CLAIM("tri.old_file", strcmp(read_scratch("old").text, "old\n") == 0,
+        CLAIM("tri.old_file", strcmp(read_scratch("old.ele").text, "old\n") == 0,
               "%s: the old output is gone", path);
     }
     globfree(&files);
@@ -301,7 +248,7 @@ wrong_arguments_are_explained(void)
         "triangulate --algorithm bubble a", "triangulate --fast a", "hull",
         "triangulate --direction 0,0 a", "triangulate --direction 1 a",
         "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
-        "triangulate -o x -o y a", "triangulate --stats -o - a",
+        "triangulate -o x.ele -o y.ele a", "triangulate --stats -o - a",
         "generate", "generate uniform", "generate uniform many", "generate lumpy 10",
         "generate uniform -5", "generate uniform 4294967295",
         "generate uniform 10 --seed x", "generate uniform 10 20", "draw",
@@ -365,15 +312,56 @@ closed_pipes_are_errors(void)
           read_scratch("err").text);
 }
 
+/* Runs tri, sends it the signal as soon as the file $d/beside is there, and returns how
+ * it ended. */
+static int
+interrupt(int signal_number, char *const arguments[], const char *beside)
+{
+    pid_t child = fork();
+    if (child == 0) {
+        signal(signal_number, SIG_DFL);
+        execv(getenv("tri"), arguments);
+        _exit(127);
+    }
+    const struct timespec moment = {0, 100000};
+    int status;
+    while (access(in_scratch(beside).text, F_OK) != 0) {
+        CLAIM("tri.interrupt", waitpid(child, &status, WNOHANG) == 0,
+              "%s was never seen; status %d", beside, status);
+        nanosleep(&moment, NULL);
+    }
+    kill(child, signal_number);
+    waitpid(child, &status, 0);
+    return status;
+}
+
+static void
+interrupted_writing_leaves_the_old_file(void)
+{
+    const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    file_name path = in_scratch("i.node");
+    char tri[] = "tri", generate[] = "generate", uniform[] = "uniform";
+    char number[] = "2000000", o[] = "-o";
+    char *const arguments[] = {tri, generate, uniform, number, o, path.text, NULL};
+    for (int i = 0; i < 3; i++) {
+        shell("echo old >$d/i.node");
+        int status = interrupt(signals[i], arguments, "i.node.1.part");
+        CLAIM("tri.interrupt", WIFSIGNALED(status) && WTERMSIG(status) == signals[i],
+              "signal %d: it ended with %d", signals[i], status);
+        CLAIM("tri.interrupt", shell("ls $d/i.node.*.part >$d/out 2>&1") != 0,
+              "signal %d: %s is left", signals[i], read_scratch("out").text);
+        CLAIM("tri.old_file", strcmp(read_scratch("i.node").text, "old\n") == 0,
+              "signal %d: the old output is gone", signals[i]);
+    }
+}
+
 /* ---- Doubles go through, whatever the environment's locale. ---- */
 
 static void
 doubles_go_through(const point2 *points, uint32_t n)
 {
-    char path[500];
-    snprintf(path, sizeof path, "%s/d.node", scratch);
-    FILE *file = fopen(path, "wb");
-    CLAIM("tri.setup", file != NULL, "%s cannot be written", path);
+    FILE *file = fopen(in_scratch("d.node").text, "wb");
+    CLAIM("tri.setup", file != NULL, "d.node cannot be written");
     text_write_points(file, points, n, 1);
     fclose(file);
     int status = shell("LC_ALL=de_DE.UTF-8 $tri triangulate -o $d/d.ele $d/d.node "
@@ -386,21 +374,7 @@ doubles_go_through(const point2 *points, uint32_t n)
 int
 main(int argc, char **argv)
 {
-    /* This program is BUILD/test/tools_tri; the one it drives is BUILD/tri. */
-    char program[500];
-    const char *slash = strrchr(argv[0], '/');
-    int folder = slash != NULL ? (int)(slash - argv[0]) : 1;
-    snprintf(scratch, sizeof scratch, "%.*s/tools_tri.XXXXXX", folder,
-             slash != NULL ? argv[0] : ".");
-    snprintf(program, sizeof program, "%.*s/../tri", folder,
-             slash != NULL ? argv[0] : ".");
-    setenv("tri", getenv("TRI") != NULL ? getenv("TRI") : program, 1);
-    if (mkdtemp(scratch) == NULL) {
-        perror(scratch);
-        return 2;
-    }
-    setenv("d", scratch, 1);
-
+    shell_begin(argv);
     test_begin(argc, argv, "tri does what its help says, and refuses the rest");
     test_run("triangles are numbered like the points",
              triangles_are_numbered_like_the_points);
@@ -417,9 +391,10 @@ main(int argc, char **argv)
     test_run("wrong arguments are explained", wrong_arguments_are_explained);
     test_run("failed writing leaves the old file",
              failed_writing_leaves_the_old_file);
+    test_run("interrupted writing leaves the old file",
+             interrupted_writing_leaves_the_old_file);
     test_run("closed pipes are errors", closed_pipes_are_errors);
     int status = test_end((test_minima){.trials = 70});
-    if (shell("rm -r $d") != 0)
-        perror(scratch);
+    shell_end();
     return status;
 }

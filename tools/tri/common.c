@@ -1,11 +1,77 @@
 /* common.c - messages, arguments and files of all commands. */
 #include "tools/tri/tri.h"
 
+#include <assert.h>
 #include <errno.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- Unfinished files are removed, whatever ends the program. ---- */
+
+enum { MOST_FILES = 8 }; /* written at the same time */
+
+static const char *unfinished[MOST_FILES]; /* changes only while signals wait */
+
+static void
+remove_unfinished(void)
+{
+    for (int i = 0; i < MOST_FILES; i++)
+        if (unfinished[i] != NULL)
+            unlink(unfinished[i]);
+}
+
+/* The signal, raised again and no longer caught, ends the program as it would have. */
+static void
+interrupted(int signal_number)
+{
+    remove_unfinished();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+/* The signals by which people and systems end a program. */
+static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
+enum { STOPPING = sizeof stopping / sizeof stopping[0] };
+
+/* Makes them wait (SIG_BLOCK) or come (SIG_UNBLOCK). */
+static void
+hold_signals(int how)
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (int i = 0; i < STOPPING; i++)
+        sigaddset(&set, stopping[i]);
+    sigprocmask(how, &set, NULL);
+}
+
+/* From now on the signals that are not ignored (nohup) remove what is unfinished. */
+static void
+catch_signals(void)
+{
+    struct sigaction catching = {.sa_handler = interrupted};
+    sigemptyset(&catching.sa_mask);
+    for (int i = 0; i < STOPPING; i++) {
+        struct sigaction before;
+        sigaction(stopping[i], NULL, &before);
+        if (before.sa_handler != SIG_IGN)
+            sigaction(stopping[i], &catching, NULL);
+    }
+}
+
+/* In the list of unfinished files, `to` takes the place of `from`; NULL is none. */
+static void
+change_unfinished(const char *from, const char *to)
+{
+    int i = 0;
+    while (i < MOST_FILES - 1 && unfinished[i] != from)
+        i++;
+    assert(unfinished[i] == from);
+    unfinished[i] = to;
+}
 
 /* ---- Ending with a message. ---- */
 
@@ -17,6 +83,7 @@ die(const char *sentence, ...)
     vfprintf(stderr, sentence, arguments);
     va_end(arguments);
     fputc('\n', stderr);
+    remove_unfinished();
     exit(EXIT_UNUSABLE);
 }
 
@@ -155,17 +222,32 @@ output
 begin_output(const char *path)
 {
     output o;
+    catch_signals();
+    hold_signals(SIG_BLOCK);
     errno = 0;
     tri_status status = output_begin(&o, path);
     if (status != TRI_OK)
         die_of_output(path, status);
+    change_unfinished(NULL, o.beside);
+    hold_signals(SIG_UNBLOCK);
     return o;
+}
+
+void
+flush_output(const output *o, const char *path)
+{
+    errno = 0;
+    if (fflush(o->file) != 0 || ferror(o->file))
+        die_of_output(path, TRI_CANNOT_WRITE);
 }
 
 void
 finish_output(output *o, const char *path)
 {
+    hold_signals(SIG_BLOCK);
+    change_unfinished(o->beside, NULL); /* output_commit frees the name */
     tri_status status = output_commit(o);
+    hold_signals(SIG_UNBLOCK);
     if (status != TRI_OK)
         die_of_output(strcmp(path, "-") == 0 ? "<stdout>" : path, status);
 }

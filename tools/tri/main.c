@@ -2,21 +2,22 @@
 #include "tools/tri/tri.h"
 
 #include "chapters/contents.h"
+#include "tools/tri/formats.h"
 
 #include <signal.h>
 #include <string.h>
 
 const command commands[] = {
     {"triangulate", command_triangulate,
-     "[--algorithm NAME] [--direction DX,DY] [-o OUT.ele] [--svg FILE] "
+     "[--algorithm NAME] [--direction DX,DY] [-o FILE] [--svg FILE] "
      "[--stats] IN",
      "Triangulates the points of IN.\n"
      "  --algorithm NAME   one of those below\n"
      "  --direction DX,DY  the sweep line moves along it (1,0 if not given)\n"
-     "  -o OUT.ele         the triangles; their corners are numbered as in IN\n"
+     "  -o FILE            the triangles, written as the ending of FILE says\n"
      "  --svg FILE         a picture\n"
      "  --stats            lines `name value` on standard output\n"
-     "With none of the last three, the triangles go to standard output.\n"},
+     "With none of the last three, the triangles go to standard output, as .ele.\n"},
     {"check", command_check, "[--delaunay] POINTS TRIANGLES",
      "Is TRIANGLES a triangulation of POINTS (a Delaunay triangulation)?\n"
      "Exit status: 0 it is; 1 it is not, see the witness; 2 unusable.\n"},
@@ -55,6 +56,14 @@ print_commands(FILE *file)
 }
 
 static void
+print_formats(void)
+{
+    printf("\nEndings of FILE:\n");
+    for (const format *f = formats; f->ending != NULL; f++)
+        printf("  %-10s %s\n", f->ending, f->summary);
+}
+
+static void
 print_algorithms(void)
 {
     printf("\nAlgorithms, and the section of the notes (if not given: %s):\n",
@@ -77,8 +86,10 @@ command_help(int argc, char **argv)
         if (strcmp(c->name, argv[1]) != 0)
             continue;
         printf("usage: tri %s %s\n\n%s", c->name, c->usage, c->help);
-        if (c->run == command_triangulate)
+        if (c->run == command_triangulate) {
+            print_formats();
             print_algorithms();
+        }
         if (c->run == command_generate) {
             printf("\nDistributions:\n");
             for (const distribution *d = distributions; d->name != NULL; d++)

@@ -2,8 +2,8 @@
  *
  * Needs: lib/textio.h, lib/output.h.
  *
- * A program may end at once: die() is how a command refuses. No output has been
- * begun then, so whatever stood in its place still does.
+ * A program may end at once: die() is how a command refuses. What is being written
+ * is removed then, and when people interrupt it: whatever stood there still does.
  */
 #ifndef TOOLS_TRI_H
 #define TOOLS_TRI_H
@@ -74,9 +74,14 @@ triangle_list load_triangles(const char *path, const text_points *points);
  * not be written there; NULL and "-" will do. */
 void check_output(const char *path);
 
-/* output_begin and output_commit, or a message. */
+/* output_begin and output_commit, or a message. Between them the program may end in
+ * any way that can be caught: no part of a file is left. */
 output begin_output(const char *path);
 void finish_output(output *o, const char *path);
+
+/* Sends what has been written on its way, or a message: before the first finish_output
+ * of several files that shall appear all or not at all. */
+void flush_output(const output *o, const char *path);
 
 /* A picture of the points and the triangles, or a message. */
 void write_picture(const char *path, const char *title,

@@ -2,6 +2,7 @@
 #include "tools/tri/tri.h"
 
 #include "lib/decimal.h"
+#include "tools/tri/formats.h"
 #include "tools/tri/watch.h"
 
 #include <string.h>
@@ -21,6 +22,7 @@ typedef struct request {
     const algorithm *algorithm;
     tri_options options;
     const char *triangles, *picture; /* where to; NULL: not wanted */
+    const format *format;            /* of the triangles */
     bool stats;
     const char *points;
 } request;
@@ -43,6 +45,21 @@ static bool
 is_stdout(const char *path)
 {
     return path != NULL && strcmp(path, "-") == 0;
+}
+
+static const format *
+parse_format(const char *path)
+{
+    char endings[100] = "";
+    for (const format *f = formats; f->ending != NULL; f++) {
+        strcat(endings, " ");
+        strcat(endings, f->ending);
+    }
+    const format *found = format_of(path);
+    if (found == NULL)
+        die_usage("triangulate", "-o %s: its ending says what to write:%s", path,
+                  endings);
+    return found;
 }
 
 static request
@@ -70,6 +87,8 @@ parse(int argc, char **argv)
                   "output: name files");
     check_output(r.triangles);
     check_output(r.picture);
+    if (r.triangles != NULL)
+        r.format = parse_format(r.triangles);
     return r;
 }
 
@@ -86,7 +105,7 @@ command_triangulate(int argc, char **argv)
 
     if (r.triangles != NULL) {
         output o = begin_output(r.triangles);
-        text_write_triangles(o.file, list, in.first);
+        must(r.format->write(o.file, &in, list));
         finish_output(&o, r.triangles);
     }
     if (r.picture != NULL)

@@ -6,7 +6,6 @@
 #include "lib/memory.h"
 #include "lib/svg.h"
 
-#include <errno.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -32,47 +31,25 @@ want_file(files *f, int which, const char *name, const char *ending)
     check_output(f->path[which]);
 }
 
-/* Ends with a message, and leaves what stood there before. */
-_Noreturn static void
-die_of_file(files *f, int which, tri_status status)
-{
-    const char *why = status == TRI_CANNOT_WRITE && errno != 0 ? strerror(errno)
-                                                               : tri_status_text(status);
-    for (int i = 0; i < FILES; i++)
-        output_discard(&f->output[i]);
-    die("%s: cannot be written: %s", f->path[which], why);
-}
-
 /* Begins all files that are wanted. */
 static void
 begin_files(files *f)
 {
-    errno = 0;
-    for (int i = 0; i < FILES; i++) {
-        tri_status status = TRI_OK;
+    for (int i = 0; i < FILES; i++)
         if (f->path[i] != NULL)
-            status = output_begin(&f->output[i], f->path[i]);
-        if (status != TRI_OK)
-            die_of_file(f, i, status);
-    }
+            f->output[i] = begin_output(f->path[i]);
 }
 
 /* Writes what is left to be written of every file, and only then renames any. */
 static void
 finish_files(files *f)
 {
-    errno = 0;
+    for (int i = 0; i < FILES; i++)
+        if (f->path[i] != NULL)
+            flush_output(&f->output[i], f->path[i]);
     for (int i = 0; i < FILES; i++) {
-        FILE *file = f->output[i].file;
-        if (file != NULL && (fflush(file) != 0 || ferror(file)))
-            die_of_file(f, i, TRI_CANNOT_WRITE);
-    }
-    for (int i = 0; i < FILES; i++) {
-        if (f->path[i] == NULL)
-            continue;
-        tri_status status = output_commit(&f->output[i]);
-        if (status != TRI_OK)
-            die_of_file(f, i, status);
+        if (f->path[i] != NULL)
+            finish_output(&f->output[i], f->path[i]);
         memory_free(f->path[i]);
     }
 }
