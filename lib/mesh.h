@@ -38,7 +38,7 @@
 
 #define GHOST UINT32_MAX /* the vertex at infinity; no point has this index */
 
-/* The most locations whose 6u-6 half-edges are all below NONE. */
+/* The most locations u for which 6u fits into 32 bits: 6u-6 half-edges and NONE. */
 #define MESH_MOST_LOCATIONS 715827882u
 
 typedef struct mesh_halfedge {
