@@ -35,7 +35,7 @@
 #ifdef TRI_COUNTED
 typedef struct predicate_counts {
     /* Questions asked: */
-    uint64_t orient2d, incircle, orient3d, compare_along, compare_distance;
+    uint64_t orient2d, incircle, orient3d, compare_along, compare_distance, dot_sign;
     /* The determinants that the filter left to exact.c, by what answered: */
     uint64_t signs, expansions, wide; /* its Steps 1, 2 and 3 */
     uint64_t zeros;                   /* and how many of all these were 0 */
@@ -104,6 +104,24 @@ compare_along(point2 d, point2 p, point2 q)
     PREDICATE_COUNT(compare_along);
     int sign = cross_sign(p, q, across, zero); /* the sign of (p-q).d */
     return sign != 0 ? sign : cross_sign(d, zero, p, q);
+}
+
+/* Where does r lie with respect to the circle with diameter pq?
+ *
+ *   +1  outside: the angle p r q is acute
+ *    0  on it: a right angle, or r is p or q
+ *   -1  inside: the angle is obtuse
+ *
+ * The sign of the dot product (p-r).(q-r).
+ * Cost: 3 multiplications when the angle is not nearly right.
+ * Source: Thales; notes 3.1, the Gabriel graph.
+ */
+static inline int
+dot_sign(point2 p, point2 r, point2 q)
+{
+    const point2 turned_q = {-q.y, q.x}, turned_r = {-r.y, r.x};
+    PREDICATE_COUNT(dot_sign);
+    return cross_sign(p, r, turned_q, turned_r);
 }
 
 /* Is the distance of p and q smaller than that of r and s?
