@@ -287,8 +287,7 @@ sibson_coordinates_reproduce_the_site(const point2 *points, uint32_t n)
     each_bounded_site(n, true);
 }
 
-/* The middle of a square has four equal weights; moved to the right, it has more of the
- * right corners: Laplace's weights are then fractions known from the page. */
+/* The middle of a square has four equal weights, in both families. */
 static void
 known_weights(void)
 {

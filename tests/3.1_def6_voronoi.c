@@ -66,7 +66,15 @@ the_dual_is_certified(const point2 *points, uint32_t n)
     mesh m;
     voronoi d;
     verdict v;
-    some_diagram(points, n, &m, &d);
+    some_delaunay(points, n, &m);
+    uint32_t interior = 0;
+    for (halfedge_id e = 0; e < mesh_halfedges(&m); e++)
+        interior += e < mesh_twin(&m, e) && mesh_is_interior(&m, e);
+    uint64_t before = predicate_count.incircle;
+    CLAIM("sec3.1.P4", voronoi_dual(&m, points, &d) == TRI_OK, "no diagram");
+    uint64_t asked = predicate_count.incircle - before;
+    CLAIM("sec3.1.P20", asked == interior, "%llu incircle tests, %u edges inside the hull",
+          (unsigned long long)asked, interior);
     CLAIM("sec3.1.P11", is_voronoi(points, n, &d, &v) == TRI_OK, "out of memory");
     claim_verdict("sec3.1.P11", v);
     voronoi_free(&d);
@@ -149,9 +157,9 @@ vertices_have_empty_circles(const point2 *points, uint32_t n)
     mesh_free(&m);
 }
 
-/* P7: in the middle of an edge exactly its two sites are nearest. Sites with small
- * whole coordinates make the middle of a finite edge a fraction that a test could
- * compute; instead, no site is on or in both circles at its ends but these two. */
+/* P7: a point of an edge has exactly its two sites nearest. By the proof that follows
+ * from this: the circles at the two ends are empty and differ, so no site but these two
+ * is in or on both. */
 static void
 edges_have_two_nearest_sites(const point2 *points, uint32_t n)
 {
