@@ -5,7 +5,7 @@
 .SECONDARY:
 .DEFAULT_GOAL := all
 .PHONY: all help demo test test-long check weave figures book bench mutants asan \
-        install clean
+        install uninstall clean
 
 # Two commands at a time (JOBS=4: four), each said in a word (V=1: shown in full).
 JOBS ?= 2
@@ -105,6 +105,10 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
+# Some tests drive programs: these must be there, and may be younger.
+$(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
+    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/deps
+
 # ---- What people run. ----
 
 demo: $(BUILD)/tri $(BUILD)/counted/tri ## triangulate, certify and draw the shipped real points
@@ -144,6 +148,26 @@ $(SECTIONS): %: all
 	@for f in $(filter $*_%,$(FIGURES)); do mkdir -p "chapters/$$f/figures" && \
 	  $(BUILD)/figures/$$f "chapters/$$f/figures" || exit 1; done
 .PHONY: $(SECTIONS)
+
+# The folders of the headers stay as they are: a program includes
+# "chapters/triangulations.h", as in this tree.
+PREFIX  ?= /usr/local
+HEADERS := $(filter-out chapters/figures.h,$(wildcard lib/*.h chapters/*.h chapters/*/*.h))
+TO      = $(DESTDIR)$(PREFIX)
+
+install: $(BUILD)/tri $(BUILD)/libtri.a ## tri, the library and its headers to PREFIX=/usr/local
+	@$(SAY) "  install in $(TO)"
+	mkdir -p "$(TO)/bin" "$(TO)/lib/pkgconfig"
+	cp -f $(BUILD)/tri "$(TO)/bin/tri"
+	cp -f $(BUILD)/libtri.a "$(TO)/lib/libtri.a"
+	sed 's|@PREFIX@|$(PREFIX)|' tools/triangulations.pc.in \
+	  >"$(TO)/lib/pkgconfig/triangulations.pc"
+	@for h in $(HEADERS); do mkdir -p "$(TO)/include/triangulations/$${h%/*}" && \
+	  cp -f "$$h" "$(TO)/include/triangulations/$$h" || exit 1; done
+
+uninstall: ## what install has put there is removed
+	rm -rf "$(TO)/include/triangulations"
+	rm -f "$(TO)/bin/tri" "$(TO)/lib/libtri.a" "$(TO)/lib/pkgconfig/triangulations.pc"
 
 clean: ## remove build/
 	rm -rf $(BUILD)

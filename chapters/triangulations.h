@@ -1,6 +1,8 @@
 /* triangulations.h - everything, with one include.
  *
  *     cc -I. program.c build/libtri.a -lm
+ *
+ * For C++, too, from C++17 on (predicates.h writes powers of two as 0x1p-51).
  */
 #ifndef CHAPTERS_TRIANGULATIONS_H
 #define CHAPTERS_TRIANGULATIONS_H

@@ -28,10 +28,10 @@ typedef enum tri_cuts {
 } tri_cuts;
 
 typedef struct tri_options {
-    size_t size;      /* sizeof (tri_options): lets the struct grow */
-    point2 direction; /* 2.3, 3.7: the order of the points; default (1,0) */
-    trace *trace;     /* who watches; default NULL, nobody */
-    tri_cuts cuts;    /* 3.7; default TRI_CUTS_VERTICAL */
+    size_t size;         /* sizeof (tri_options): lets the struct grow */
+    point2 direction;    /* 2.3, 3.7: the order of the points; default (1,0) */
+    struct trace *trace; /* who watches; default NULL, nobody */
+    tri_cuts cuts;       /* 3.7; default TRI_CUTS_VERTICAL */
 } tri_options;
 
 /* The defaults, with their size filled in. */

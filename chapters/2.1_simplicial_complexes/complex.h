@@ -17,7 +17,7 @@ typedef struct simplex {
 
 typedef struct simplex_list {
     uint32_t count;
-    simplex *simplex;
+    struct simplex *simplex;
 } simplex_list;
 
 /* ---- Definitions 1 and 2: simplices and faces. ---- */
