@@ -4,7 +4,7 @@
 #   1. every test with ten times as many trials;
 #   2. the tests of 3.4 built by gcc and clang without and with optimisation, for this
 #      very processor, with contraction where the filters are inlined, and for 32 bits;
-#   3. the reader of points under a fuzzer, for FUZZ_SECONDS (60 if not given).
+#   3. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
 #
 # What a machine lacks is skipped, with a sentence. Ends with "N passed, N failed".
 set -u
@@ -68,11 +68,11 @@ done
 # ---- 3 ----
 
 seconds=${FUZZ_SECONDS-60}
-echo "--- the reader of points, fuzzed for $seconds s"
+echo "--- the readers of files, fuzzed for $seconds s"
 sanitizers=address,undefined
 common="-std=c11 -g -O1 -I. -D_POSIX_C_SOURCE=200809L -fno-sanitize-recover=all"
-sources="tests/fuzz/read_points.c lib/*.c"
-target=$long/fuzz/read_points
+sources="tests/fuzz/read_files.c lib/*.c"
+target=$long/fuzz/read_files
 
 # shellcheck disable=SC2086 # several flags, several files
 fuzz() {

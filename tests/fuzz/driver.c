@@ -1,6 +1,6 @@
 /* driver.c - runs a fuzz target where there is no libFuzzer.
  *
- *     read_points SECONDS SEED LAST FILE...
+ *     read_files SECONDS SEED LAST FILE...
  *
  * Changes the files at random, again and again, and gives them to the target. Each
  * text is first kept in the file LAST, so that it is there when the target fails.
