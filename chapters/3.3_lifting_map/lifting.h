@@ -41,8 +41,8 @@ int below_plane_rounded(point2 a, point2 b, point2 c, point2 d);
  * exchanged, and for collinear points the plane is vertical and the signs tell
  * its two sides. Swapping two arguments flips the sign.
  *
- * Exact for every finite double, because the heights need not be computed: it is
- * the same determinant as incircle (page 3.3, prop1.P3).
+ * Exact for every finite double, because the heights need not be computed: it
+ * is the same determinant as incircle (page 3.3, prop1.P3).
  * Cost: 1 incircle test. Source: notes 3.3, Proposition 1.
  */
 static inline int

@@ -31,7 +31,7 @@ lifted_hull_start(lifted_hull *H, const point2 *points, uint32_t n,
                   uint32_t locations, vertex_id a, vertex_id b, vertex_id c)
 {
     *H = (lifted_hull){.points = points};
-    tri_status status = mesh_fits(locations); /* so 2u faces have handles, too */
+    tri_status status = mesh_fits(locations); /* as many sides as here */
     if (status != TRI_OK)
         return status;
     H->faces.corner = memory_array(locations, 2 * sizeof *H->faces.corner);
@@ -64,19 +64,21 @@ lifted_hull_free(lifted_hull *H)
 
 /* ---- One more point. ---- */
 
-/* Does the lifted p lie strictly outside of face t? A point in the plane of a face
- * does not see it: then the faces at p leave the face as it is and continue it, and
- * a facet with many corners grows piece by piece (page 3.3, lower.P3). */
+/* Does the lifted p lie strictly outside of face t? A point in the plane of a
+ * face does not see it: then the faces at p leave the face as it is and
+ * continue it, and a facet with many corners grows piece by piece (page 3.3,
+ * lower.P3). */
 static bool
 sees_face(const lifted_hull *H, vertex_id p, triangle_id t)
 {
-    const vertex_id *c = H->faces.corner[t];
-    const point2 *points = H->points;
-    return orient3d_lifted(points[c[0]], points[c[1]], points[c[2]], points[p]) > 0;
+    const vertex_id *v = H->faces.corner[t];
+    point2 a = H->points[v[0]], b = H->points[v[1]], c = H->points[v[2]];
+    return orient3d_lifted(a, b, c, H->points[p]) > 0;
 }
 
-/* The horizon is where seen and unseen faces meet: one closed walk. Notes for each
- * of its vertices the side that leaves it on the unseen side; returns one of them. */
+/* The horizon is where seen and unseen faces meet: one closed walk. Notes for
+ * each of its vertices the side that leaves it on the unseen side; returns one
+ * of them. */
 static halfedge_id
 find_horizon(lifted_hull *H)
 {
@@ -105,7 +107,8 @@ take_place(lifted_hull *H, triangle_id t)
     return t;
 }
 
-/* Walks along the horizon, from side g back to g, and joins each of its sides to p:
+/* Walks along the horizon, from side g back to g, and joins each of its sides
+ * to p:
  *
  *           p           side 0: w to u, the twin of g
  *         /   \         side 1: u to p, the twin of side 2 of the face before
@@ -144,27 +147,28 @@ lifted_hull_add(lifted_hull *H, vertex_id p)
 
 /* ---- All points. ---- */
 
-/* The place in L of the first site whose lifted point is not in the plane of the
- * first three; `locations` when there is none. */
+/* The place in L of the first site whose lifted point is not in the plane of
+ * the first three; `locations` when there is none. */
 static uint32_t
 first_off_plane(const point2 *points, const vertex_id *L, uint32_t locations)
 {
-    uint32_t i = 3;
-    while (i < locations && orient3d_lifted(points[L[0]], points[L[1]], points[L[2]],
-                                            points[L[i]]) == 0)
-        i++;
-    return i < locations ? i : locations;
+    for (uint32_t i = 3; i < locations; i++)
+        if (orient3d_lifted(points[L[0]], points[L[1]], points[L[2]],
+                            points[L[i]]) != 0)
+            return i;
+    return locations;
 }
 
 tri_status
-lifted_hull_of(lifted_hull *H, const point2 *points, uint32_t n, const vertex_id *L,
-               uint32_t locations)
+lifted_hull_of(lifted_hull *H, const point2 *points, uint32_t n,
+               const vertex_id *L, uint32_t locations)
 {
     *H = (lifted_hull){.points = points};
     uint32_t off = first_off_plane(points, L, locations);
     if (off == locations)
         return TRI_OK;
-    tri_status status = lifted_hull_start(H, points, n, locations, L[0], L[1], L[2]);
+    tri_status status;
+    status = lifted_hull_start(H, points, n, locations, L[0], L[1], L[2]);
     if (status != TRI_OK)
         return status;
     lifted_hull_add(H, L[off]);
@@ -186,7 +190,8 @@ oriented_faces(const lifted_hull *H, int orientation, triangle_list *out)
         return TRI_OUT_OF_MEMORY;
     for (triangle_id t = 0; t < H->faces.count; t++) {
         const vertex_id *c = H->faces.corner[t];
-        if (orient2d(H->points[c[0]], H->points[c[1]], H->points[c[2]]) != orientation)
+        point2 p = H->points[c[0]], q = H->points[c[1]], r = H->points[c[2]];
+        if (orient2d(p, q, r) != orientation)
             continue;
         vertex_id *corner = out->corner[out->count++];
         corner[0] = c[0];
@@ -211,7 +216,8 @@ upper_faces(const lifted_hull *H, triangle_list *out)
 /* When the hull is flat, no site lies inside any circle of others: every
  * triangulation is Delaunay, and the sweep's will do. */
 tri_status
-lift_triangulate(const point2 *points, uint32_t n, const tri_options *options, mesh *out)
+lift_triangulate(const point2 *points, uint32_t n, const tri_options *options,
+                 mesh *out)
 {
     *out = (mesh){0};
     tri_options used;
@@ -244,7 +250,8 @@ lift_triangulate(const point2 *points, uint32_t n, const tri_options *options, m
 
 /* Is the surface convex at each edge? Each is looked at from one side. */
 static verdict
-check_edges_convex(const point2 *points, triangle_list list, const halfedge_id *twin)
+check_edges_convex(const point2 *points, triangle_list list,
+                   const halfedge_id *twin)
 {
     for (halfedge_id ab = 0; ab < 3 * list.count; ab++) {
         halfedge_id ba = twin[ab];
@@ -254,16 +261,20 @@ check_edges_convex(const point2 *points, triangle_list list, const halfedge_id *
         vertex_id c = side_apex(list, ab), d = side_apex(list, ba);
         if (orient3d_lifted(points[a], points[b], points[c], points[d]) <= 0)
             continue;
-        verdict v = verdict_refuted("the surface is not convex at edge %u %u: lifted, %u "
-            "lies below the plane of %u, %u, %u", (unsigned)a, (unsigned)b, (unsigned)d,
-            (unsigned)a, (unsigned)b, (unsigned)c);
-        return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c), d);
+        verdict v = verdict_refuted(
+            "the surface is not convex at edge %u %u: lifted, %u lies "
+            "below the plane of %u, %u, %u",
+            (unsigned)a, (unsigned)b, (unsigned)d, (unsigned)a, (unsigned)b,
+            (unsigned)c);
+        v = verdict_with(verdict_with(v, a), b);
+        return verdict_with(verdict_with(v, c), d);
     }
     return verdict_holds();
 }
 
 tri_status
-is_lower_hull(const point2 *points, uint32_t n, triangle_list list, verdict *out)
+is_lower_hull(const point2 *points, uint32_t n, triangle_list list,
+              verdict *out)
 {
     tri_status status = is_triangulation(points, n, list, out);
     if (status != TRI_OK || !out->holds)

@@ -1,7 +1,7 @@
 /* lower_hull.h - the Delaunay triangulation as the underside of a polytope.
  *
- * Notes: section 3.3, Figure 8. Needs: 2.1 (is_triangulation), 2.3 (the order of
- * the points, and the flat case), lifting.h, lib/mesh.h. Exercise: 3.3-b.
+ * Notes: section 3.3, Figure 8. Needs: 2.1 (is_triangulation), 2.3 (the order
+ * of the points, and the flat case), lifting.h, lib/mesh.h. Exercise: 3.3-b.
  */
 #ifndef CHAPTERS_3_3_LOWER_HULL_H
 #define CHAPTERS_3_3_LOWER_HULL_H
@@ -10,13 +10,13 @@
 #include "lib/options.h"
 #include "lib/verdict.h"
 
-/* The convex hull, in space, of lifted sites: its surface as triangles, each with
- * three neighbours.
+/* The convex hull, in space, of lifted sites: its surface as triangles, each
+ * with three neighbours.
  *
  * A face a, b, c is ordered so that the polytope is on the -1 side of
- * orient3d_lifted(a, b, c, .) and the outside on the +1 side. So a lower face is
- * counterclockwise in the plane, an upper one clockwise, a vertical one flat.
- * Facets with more corners are there as several triangles of one plane.
+ * orient3d_lifted(a, b, c, .) and the outside on the +1 side. So a lower face
+ * is counterclockwise in the plane, an upper one clockwise, a vertical one
+ * flat. Facets with more corners are there as several triangles of one plane.
  *
  * v lifted sites that do not lie in one plane make exactly 2v-4 faces. */
 typedef struct lifted_hull {
@@ -28,8 +28,8 @@ typedef struct lifted_hull {
                            * face is not seen */
 } lifted_hull;
 
-/* The hull of three lifted sites: a triangle, whose two sides are its faces. There
- * is room for `locations` of the n points.
+/* The hull of three lifted sites: a triangle, whose two sides are its faces.
+ * There is room for `locations` of the n points.
  *
  * Requires: a, b, c are distinct locations (lifted, no three are collinear).
  * TRI_OUT_OF_MEMORY, TRI_TOO_MANY_POINTS: *H is zeroed.
@@ -40,7 +40,8 @@ tri_status lifted_hull_start(lifted_hull *H, const point2 *points, uint32_t n,
 
 /* Adds the lifted p: the faces that it sees are replaced by faces at p.
  *
- * Requires: p's location is new; *H is not flat, or p is not in its plane; room.
+ * Requires: p's location is new; *H is not flat, or p is not in its plane;
+ * room.
  * Cost: 1 orient3d_lifted for each face.
  * Source: notes 3.3 name no algorithm; incremental insertion, see the page.
  */
@@ -50,7 +51,7 @@ void lifted_hull_add(lifted_hull *H, vertex_id p);
  *
  * Flat, that is without faces, when they are fewer than four, collinear or
  * cocircular (docs/errata.md, E26).
- * Cost: u = locations: (u-2)(u-3) tests of orient3d_lifted and at most u-3 more.
+ * Cost: (u-2)(u-3) orient3d_lifted, and at most u-3 more, for u locations.
  * TRI_OUT_OF_MEMORY, TRI_TOO_MANY_POINTS: *H is zeroed.
  */
 tri_status lifted_hull_of(lifted_hull *H, const point2 *points, uint32_t n,
@@ -65,8 +66,8 @@ void lifted_hull_free(lifted_hull *H);
 tri_status lower_faces(const lifted_hull *H, triangle_list *out);
 tri_status upper_faces(const lifted_hull *H, triangle_list *out);
 
-/* A Delaunay triangulation: the lower faces of the lifted sites, which are added in
- * the order of 2.3 along options->direction.
+/* A Delaunay triangulation: the lower faces of the lifted sites, which are
+ * added in the order of 2.3 along options->direction.
  * Nothing is reported to a trace. Statuses and conventions: lib/options.h.
  * Cost: O(n^2). Source: notes 3.3, below Proposition 1.
  */
@@ -76,8 +77,8 @@ tri_status lift_triangulate(const point2 *points, uint32_t n,
 /* Do the triangles, lifted, make the underside of the convex hull?
  *
  * Holds exactly when is_triangulation (2.1) does and across each edge ab of a
- * triangle abc the lifted apex of the neighbour lies in the plane of abc or above
- * it (page 3.3, lower.P6: that is enough).
+ * triangle abc the lifted apex of the neighbour lies in the plane of abc or
+ * above it (page 3.3, lower.P6: that is enough).
  * Refuted: the four points a, b, c and the apex, or the witness of
  * is_triangulation.
  * Cost: O(n + triangles). TRI_OUT_OF_MEMORY: *out says nothing.
