@@ -209,8 +209,11 @@ unbounded_cells_are_on_the_hull(const point2 *points, uint32_t n)
     bool collinear = affine_dimension(points, n) < 2;
     CLAIM("sec3.1.P8", (d.vertices == 0) == collinear, "%u vertices", d.vertices);
     uint32_t rays = 0;
-    for (uint32_t k = 0; k < d.edges; k++)
-        rays += (d.edge[k].from == NONE ? 1u : 0) + (d.edge[k].to == NONE ? 1u : 0);
+    for (uint32_t k = 0; k < d.edges; k++) {
+        bool from_infinity = d.edge[k].from == NONE, to_infinity = d.edge[k].to == NONE;
+        rays += (from_infinity ? 1u : 0) + (to_infinity ? 1u : 0);
+        CLAIM("sec3.1.P8", !from_infinity || to_infinity, "ray %u runs inwards", k);
+    }
     CLAIM("sec3.1.P8", rays == (u < 2 ? 0 : collinear ? 2 * (u - 1) : h),
           "%u ends at infinity, %u sites on the hull", rays, h);
     free(on_hull);
