@@ -2,6 +2,7 @@
 #include "chapters/contents.h"
 
 #include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.2_empty_circumcircle/empty_circle.h"
 #include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
@@ -9,13 +10,15 @@
 #include <string.h>
 
 const algorithm contents[] = {
-    {"sweep", "2.3", "sweep_triangulate", sweep_triangulate, false,
+    {"sweep", "2.3", "sweep_triangulate", sweep_triangulate, false, UINT32_MAX,
      "a line sweeps over the points (Figure 3)"},
-    {"lift", "3.3", "lift_triangulate", lift_triangulate, true,
+    {"brute", "3.2", "brute_triangulate", brute_triangulate, true, 24,
+     "all triangles whose circles enclose no site: n^4 questions"},
+    {"lift", "3.3", "lift_triangulate", lift_triangulate, true, UINT32_MAX,
      "the underside of a convex hull in space (Figure 8)"},
-    {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true,
+    {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true, UINT32_MAX,
      "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
-    {"divide", "3.7", "divide_triangulate", divide_triangulate, true,
+    {"divide", "3.7", "divide_triangulate", divide_triangulate, true, UINT32_MAX,
      "halves, divided along a line again and again, are merged"},
 };
 

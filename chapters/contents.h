@@ -15,6 +15,7 @@ typedef struct algorithm {
     tri_status (*triangulate)(const point2 *points, uint32_t n,
                               const tri_options *options, mesh *out);
     bool delaunay;       /* is the result a Delaunay triangulation? */
+    uint32_t most;       /* with more points it takes longer than tests can wait */
     const char *summary; /* a phrase for people */
 } algorithm;
 

@@ -14,6 +14,8 @@ extern "C" {
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
+#include "chapters/3.2_empty_circumcircle/empty_circle.h"
+#include "chapters/3.2_empty_circumcircle/graphs.h"
 #include "chapters/3.3_lifting_map/lifting.h"
 #include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.4_primitives/predicates.h"

@@ -92,6 +92,8 @@ every_algorithm_obeys(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n > 0);
     for (uint32_t i = 0; i < contents_count; i++) {
+        if (n > contents[i].most)
+            continue;
         mesh m;
         tri_status status = contents[i].triangulate(points, n, NULL, &m);
         CLAIM("eq2.P1", status == TRI_OK, "%s: %s", contents[i].name,
