@@ -3,9 +3,9 @@
  * Notes: section 3.1; page 3.1, sec3.1.P11. */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 
+#include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.4_primitives/predicates.h"
-#include "chapters/3.5_edge_flips/flips.h"
 #include "lib/memory.h"
 
 /* ---- The numbers are numbers of something. ---- */
@@ -83,9 +83,10 @@ make_fans(const voronoi *d, triangle_list *fans, uint32_t *vertex_of)
     }
 }
 
-/* Do neighbouring triangles of different vertices have different circles? */
+/* Between two vertices, does neither circle have a site of the other triangle inside,
+ * and are the circles different? Triangles of one vertex share theirs. */
 static verdict
-check_apart(const point2 *points, triangle_list fans, const halfedge_id *twin,
+check_circles(const point2 *points, triangle_list fans, const halfedge_id *twin,
             const uint32_t *vertex_of)
 {
     for (halfedge_id e = 0; e < 3 * fans.count; e++) {
@@ -93,10 +94,14 @@ check_apart(const point2 *points, triangle_list fans, const halfedge_id *twin,
             continue;
         vertex_id a = side_origin(fans, e), b = side_dest(fans, e);
         vertex_id c = side_apex(fans, e), x = side_apex(fans, twin[e]);
-        if (incircle(points[a], points[b], points[c], points[x]) != 0)
+        int side = incircle(points[a], points[b], points[c], points[x]);
+        if (side < 0)
             continue;
-        verdict v = verdict_refuted("vertices %u and %u are the same point",
-            (unsigned)vertex_of[e / 3], (unsigned)vertex_of[twin[e] / 3]);
+        verdict v = side == 0
+            ? verdict_refuted("vertices %u and %u are the same point",
+                  (unsigned)vertex_of[e / 3], (unsigned)vertex_of[twin[e] / 3])
+            : verdict_refuted("site %u lies inside the circle of vertex %u",
+                  (unsigned)x, (unsigned)vertex_of[e / 3]);
         return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c), x);
     }
     return verdict_holds();
@@ -117,11 +122,11 @@ check_vertices(const point2 *points, uint32_t n, const voronoi *d, verdict *out)
     tri_status status = TRI_OUT_OF_MEMORY;
     if (fans.corner != NULL && vertex_of != NULL && twin != NULL) {
         make_fans(d, &fans, vertex_of);
-        status = is_delaunay(points, n, fans, out);
+        status = is_triangulation(points, n, fans, out);
         if (status == TRI_OK && out->holds)
             status = triangle_list_twins(fans, twin, &repeated);
         if (status == TRI_OK && out->holds)
-            *out = check_apart(points, fans, twin, vertex_of);
+            *out = check_circles(points, fans, twin, vertex_of);
     }
     triangle_list_free(&fans);
     memory_free(vertex_of);

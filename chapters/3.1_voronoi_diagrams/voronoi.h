@@ -1,8 +1,8 @@
 /* voronoi.h - who is nearest to what: regions, the diagram, and its dual.
  *
  * Notes: section 3.1, Definitions 5 and 6. Needs: 3.4 (orient2d, incircle,
- * compare_distance), a Delaunay triangulation (any of 3.5 to 3.7), 2.1 and 3.5 for
- * the check, lib/mesh.h. Exercises: 3.1-a to 3.1-c.
+ * compare_distance), a Delaunay triangulation from whoever calls, 2.1 and 2.3 for the
+ * check, lib/mesh.h. Exercises: 3.1-a to 3.1-c.
  *
  * A Voronoi vertex is the centre of a circle through at least three sites, so it is
  * named by these sites, and all questions about it are asked of the sites. Its
@@ -95,8 +95,9 @@ voronoi_beyond(const voronoi *d, uint32_t k, vertex_id p)
  *
  * It holds exactly when
  *   1. the sites of each vertex are cocircular, and fans of triangles over them
- *      make a Delaunay triangulation;
- *   2. no two neighbouring vertices are the same point;
+ *      make a triangulation;
+ *   2. of two neighbouring vertices, each has a circle with no site of the other one
+ *      inside or on it, but for the two that they share;
  *   3. around each site the edges of its cell run from corner to corner of these
  *      polygons, each corner is met once, and each edge has its two cells;
  *   4. of collinear sites, the edges are lines between neighbours along the line
