@@ -61,7 +61,8 @@ cut_off(const point2 *p, uint32_t n, point2 x)
 {
     for (uint32_t a = 0; a < n; a++)
         for (uint32_t b = 0; b < n; b++) {
-            bool beside = orient2d(p[a], p[b], x)<0, at = dot_at(p[a], x, x)> 0;
+            bool beside = orient2d(p[a], p[b], x) < 0;
+            bool at = dot_at(p[a], x, x) > 0;
             for (uint32_t c = 0; c < n; c++) {
                 beside = beside && orient2d(p[a], p[b], p[c]) >= 0;
                 at = at && dot_at(p[a], p[c], x) <= 0;

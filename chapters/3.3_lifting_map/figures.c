@@ -102,8 +102,8 @@ draw_bowl(svg *page, const view *v)
     /* For each x across, what appears lowest is where the bowl turns away. */
     point2 outline[2 * ARC];
     int n = 0;
-    double away = -v->tilt / (2 * v->rise),
-           half = sqrt(rim * rim - away * away);
+    double away = -v->tilt / (2 * v->rise);
+    double half = sqrt(rim * rim - away * away);
     for (int i = 0; i <= 40; i++) {
         double x = half * (i - 20) / 20;
         outline[n++] =
@@ -137,8 +137,7 @@ draw_bowl(svg *page, const view *v)
 static const point2 centre = {0.2, -0.1};
 static const double radius = 0.62;
 
-/* The height over p of the plane through the lifted circle (page 3.3,
- * prop1.P1). */
+/* The height over p of the plane of the lifted circle (page 3.3, prop1.P1). */
 static double
 plane_height(point2 p)
 {
@@ -213,11 +212,10 @@ draw_lifting(FILE *file)
         &page, file, (svg_layout){2, 1, 400, 460, 1},
         "Figure 7 and Proposition 1: a circle lifts into a plane",
         "A bowl, the paraboloid, stands over the plane of the sites. The "
-        "circle "
-        "through a, b and c, lifted to the bowl, is an ellipse: the plane "
-        "through the three lifted points cuts it out. Left, d lies inside the "
-        "circle, and lifted it is below that plane. Right, d lies outside, and "
-        "lifted it is above.");
+        "circle through a, b and c, lifted to the bowl, is an ellipse: the "
+        "plane through the three lifted points cuts it out. Left, d lies "
+        "inside the circle, and lifted it is below that plane. Right, d lies "
+        "outside, and lifted it is above.");
     draw_lifting_panel(&page, site);
     site[3] = (point2){-0.5, 0.42};
     draw_lifting_panel(&page, site);
@@ -260,12 +258,12 @@ sort_by_depth(surface *s)
 static double
 shade(const surface *s, const vertex_id *c)
 {
-    point3 a = lift(s->site[c[0]]), b = lift(s->site[c[1]]),
-           d = lift(s->site[c[2]]);
+    point3 a = lift(s->site[c[0]]), b = lift(s->site[c[1]]);
+    point3 d = lift(s->site[c[2]]);
     double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
     double vx = d.x - a.x, vy = d.y - a.y, vz = d.z - a.z;
-    double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz,
-           nz = ux * vy - uy * vx;
+    double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz;
+    double nz = ux * vy - uy * vx;
     double length = sqrt(nx * nx + ny * ny + nz * nz);
     return (0.75 * nx - 0.35 * ny + 0.55 * nz) / length;
 }
@@ -446,12 +444,10 @@ draw_step(FILE *file)
         &page, file, (svg_layout){2, 1, 400, 450, 1},
         "One more point: the faces that it sees are replaced",
         "Left, a faceted bowl over its projection, and below the bowl one more "
-        "lifted point. The faces from which that point is on the outer side "
-        "are "
-        "orange; in the projection they are the triangles whose circles "
-        "contain "
-        "the site. Right, they are gone, and faces at the new point stand in "
-        "their place.");
+        "lifted point. The faces that have it on their outer side are orange; "
+        "in the projection they are the triangles whose circles contain the "
+        "site. Right, they are gone, and faces at the new point stand in their "
+        "place.");
     draw_step_panel(&page, box, site, SITES, SITES - 1,
                     "Step 1: p⁺ sees the orange faces");
     draw_step_panel(&page, box, site, SITES, SITES,
@@ -505,7 +501,7 @@ draw_both_sides(FILE *file)
 
 /* ---- The lift, rounded. ---- */
 
-enum { SQUARES = 100, DRAWN = 40 };
+enum { SQUARES = 100, DRAWN = 30 };
 
 /* Square (i, j) from the left and from below: the sign of its fourth corner
  * against the plane of the three others, lifted in doubles. */
@@ -515,31 +511,6 @@ sign_of_square(int i, int j)
     double x = 1024.1 + i, y = 1024.3 + j;
     return below_plane_rounded((point2){x, y}, (point2){x + 1, y},
                                (point2){x + 1, y + 1}, (point2){x, y + 1});
-}
-
-/* The squares of one sign, in a single path, those side by side as one
- * rectangle. */
-static void
-draw_squares(svg *page, int sign, const char *style)
-{
-    fprintf(page->file, "<path class=\"box %s\" d=\"", style);
-    for (int j = 0; j < DRAWN; j++)
-        for (int i = 0; i < DRAWN;) {
-            int end = i;
-            while (end < DRAWN && sign_of_square(end, j) == sign)
-                end++;
-            if (end > i) {
-                svg_put_step(page->file, 'M', svg_place(page, (point2){i, j}));
-                svg_put_step(page->file, 'L',
-                             svg_place(page, (point2){end, j}));
-                svg_put_step(page->file, 'L',
-                             svg_place(page, (point2){end, j + 1}));
-                svg_put_step(page->file, 'L',
-                             svg_place(page, (point2){i, j + 1}));
-            }
-            i = end > i ? end : i + 1;
-        }
-    fputs("\"/>\n", page->file);
 }
 
 static void
@@ -556,8 +527,13 @@ draw_squares_panel(svg *page)
              (unsigned)wrong, (unsigned)(SQUARES * SQUARES), (unsigned)DRAWN,
              (unsigned)DRAWN);
     svg_panel(page, (svg_box){{0, 0}, {DRAWN, DRAWN}}, 10000, caption);
-    draw_squares(page, +1, "new");
-    draw_squares(page, -1, "mark");
+    for (int j = 0; j < DRAWN; j++)
+        for (int i = 0; i < DRAWN; i++) {
+            svg_box square = {{i, j}, {i + 1, j + 1}};
+            int sign = sign_of_square(i, j);
+            if (sign != 0)
+                svg_rectangle(page, square, sign > 0 ? SVG_NEW : SVG_MARK);
+        }
 }
 
 /* Would rounded lifts call this edge of a Delaunay triangulation wrong, asked
@@ -612,12 +588,10 @@ draw_rounded(FILE *file)
     svg_begin(
         &page, file, (svg_layout){2, 1, 380, 380, 2},
         "What rounding the lift does",
-        "Left, a square of 40 by 40 unit squares. The four corners of each are "
+        "Left, a square of 30 by 30 unit squares. The four corners of each are "
         "cocircular, but most of the signs that rounded lifts give are not 0. "
-        "Right, a Delaunay triangulation of 60 sites in a small square far "
-        "from "
-        "the origin, with the edges in red that rounded lifts would call "
-        "wrong.");
+        "Right, a Delaunay triangulation of 60 sites in a disc far from the "
+        "origin, with the edges in red that rounded lifts would call wrong.");
     draw_squares_panel(&page);
     draw_far_sites_panel(&page);
     svg_end(&page);
