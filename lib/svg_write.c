@@ -2,8 +2,6 @@
 #include "lib/svg_write.h"
 
 #include <math.h>
-#include <stdbool.h>
-#include <stdint.h>
 
 /* No picture is larger, and a long holds it. */
 static const double LARGEST = 1e6;
@@ -38,39 +36,15 @@ svg_put_step(FILE *file, char letter, point2 p)
     svg_put_number(file, p.y);
 }
 
-/* How many bytes does the character at s have, if XML allows it; else 0. */
-static int
-character_length(const unsigned char *s)
-{
-    if (s[0] < 0x80)
-        return s[0] >= 0x20 && s[0] != 0x7f;
-    int length = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
-    const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    uint32_t code = s[0] & (0xffu >> (length + 1));
-    for (int i = 1; i < length; i++) {
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-        code = code << 6 | (s[i] & 0x3f);
-    }
-    bool wrong = s[0] < 0xc0 || s[0] >= 0xf8 || code < least[length] ||
-                 code > 0x10fffd || (code >= 0xd800 && code < 0xe000) ||
-                 (code & 0xfffe) == 0xfffe;
-    return wrong ? 0 : length;
-}
-
 const char *
 svg_put_text(FILE *file, const char *text)
 {
-    const unsigned char *s = (const unsigned char *)text;
-    while (*s != '\0' && *s != '\n') {
-        int length = character_length(s);
-        if (length == 0)
-            fputc('?', file);
-        else if (*s == '<' || *s == '>' || *s == '&')
-            fputs(*s == '<' ? "&lt;" : *s == '>' ? "&gt;" : "&amp;", file);
+    for (; *text != '\0' && *text != '\n'; text++) {
+        unsigned char c = (unsigned char)*text;
+        if (c == '<' || c == '>' || c == '&')
+            fputs(c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&amp;", file);
         else
-            fwrite(s, 1, (size_t)length, file);
-        s += length == 0 ? 1 : length;
+            fputc(c < ' ' || c == 0x7f ? '?' : c, file);
     }
-    return (const char *)s + (*s == '\n');
+    return text + (*text == '\n');
 }

@@ -20,9 +20,8 @@ void svg_put_attribute(FILE *file, const char *name, double v);
 /* A step of a path: a letter of the path language and a position. */
 void svg_put_step(FILE *file, char letter, point2 p);
 
-/* The text up to its end or to the end of its line; returns what comes after
- * that. What XML does not allow, or what is no UTF-8, becomes a question mark.
- */
+/* The text, in UTF-8, up to its end or to the end of its line; returns what comes after
+ * that. Control characters become question marks. */
 const char *svg_put_text(FILE *file, const char *text);
 
 #endif

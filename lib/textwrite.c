@@ -16,40 +16,43 @@ flush(buffer *b)
     b->used = 0;
 }
 
-/* Room for one more number and a separator. */
-static char *
+static void
 make_room(buffer *b)
 {
     if (sizeof b->bytes - b->used < DECIMAL_ROOM + 1)
         flush(b);
-    return b->bytes + b->used;
 }
 
 static void
 put_whole(buffer *b, uint64_t number, char after)
 {
-    char *text = make_room(b);
-    int length = decimal_write_integer(text, number);
-    text[length] = after;
-    b->used += (size_t)length + 1;
+    make_room(b);
+    b->used += (size_t)decimal_write_integer(b->bytes + b->used, number);
+    b->bytes[b->used++] = after;
 }
 
 static void
 put_double(buffer *b, double number, char after)
 {
-    char *text = make_room(b);
-    int length = decimal_write(text, number);
-    text[length] = after;
-    b->used += (size_t)length + 1;
+    make_room(b);
+    b->used += (size_t)decimal_write(b->bytes + b->used, number);
+    b->bytes[b->used++] = after;
+}
+
+/* The first line begins with the number of items. */
+static void
+begin(buffer *b, FILE *file, uint32_t count)
+{
+    b->file = file;
+    b->used = 0; /* bytes[] need not be filled */
+    put_whole(b, count, ' ');
 }
 
 void
 text_write_points(FILE *file, const point2 *points, uint32_t n, uint32_t first)
 {
     buffer b;
-    b.file = file;
-    b.used = 0;
-    put_whole(&b, n, ' ');
+    begin(&b, file, n);
     put_whole(&b, 2, ' ');
     put_whole(&b, 0, ' ');
     put_whole(&b, 0, '\n');
@@ -65,9 +68,7 @@ void
 text_write_triangles(FILE *file, triangle_list list, uint32_t first)
 {
     buffer b;
-    b.file = file;
-    b.used = 0;
-    put_whole(&b, list.count, ' ');
+    begin(&b, file, list.count);
     put_whole(&b, 3, ' ');
     put_whole(&b, 0, '\n');
     for (uint32_t i = 0; i < list.count; i++) {
@@ -83,9 +84,7 @@ void
 text_write_edges(FILE *file, edge_list list, uint32_t first)
 {
     buffer b;
-    b.file = file;
-    b.used = 0;
-    put_whole(&b, list.count, ' ');
+    begin(&b, file, list.count);
     put_whole(&b, 0, '\n');
     for (uint32_t i = 0; i < list.count; i++) {
         put_whole(&b, (uint64_t)first + i, ' ');
