@@ -56,3 +56,12 @@ random_unit(random_source *source)
 {
     return (double)(random_bits(source) >> 11) * 0x1p-53;
 }
+
+point2
+random_point(random_source *source)
+{
+    point2 p;
+    p.x = random_unit(source);
+    p.y = random_unit(source);
+    return p;
+}

@@ -1,6 +1,6 @@
 /* random.h - random numbers that are the same on every machine.
  *
- * Needs: nothing.
+ * Needs: lib/point.h.
  *
  * The generator is xoshiro256** of Blackman and Vigna (2018), filled from a
  * seed by splitmix64 as they advise. Only integer arithmetic and exact scaling
@@ -8,6 +8,8 @@
  */
 #ifndef LIB_RANDOM_H
 #define LIB_RANDOM_H
+
+#include "lib/point.h"
 
 #include <stdint.h>
 
@@ -26,5 +28,9 @@ uint32_t random_below(random_source *source, uint32_t below);
 
 /* A multiple of 2^-53 in [0,1), each equally likely. */
 double random_unit(random_source *source);
+
+/* A point of the unit square, x drawn before y. (Two draws in one expression would
+ * come in an order that C leaves to the compiler.) */
+point2 random_point(random_source *source);
 
 #endif

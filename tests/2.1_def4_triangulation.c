@@ -110,6 +110,7 @@ static void
 spoil(triangle_list *list, uint32_t n, random_source *r)
 {
     uint32_t t = random_below(r, list->count), s = random_below(r, list->count);
+    uint32_t i = random_below(r, 3);
     vertex_id *c = list->corner[t];
     switch (random_below(r, 5)) {
     case 0: /* a triangle is missing */
@@ -118,7 +119,7 @@ spoil(triangle_list *list, uint32_t n, random_source *r)
         list->count--;
         break;
     case 1: /* a corner is wrong */
-        c[random_below(r, 3)] = random_below(r, n);
+        c[i] = random_below(r, n);
         break;
     case 2: /* a triangle is clockwise */
         c[0] ^= c[1], c[1] ^= c[0], c[0] ^= c[1];

@@ -12,6 +12,7 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/memory.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/start.h"
 
 #include <stdlib.h>
 
@@ -132,22 +133,10 @@ see_attach(trace *self, const mesh *m, const trace_event *event)
 
 /* ---- The statements. ---- */
 
-/* A direction, often one along which many points are met together. */
-static point2
-some_direction(void)
-{
-    static const point2 special[] = {{1, 0}, {0, 1}, {-1, 0}, {1, 1}, {-3, 2}, {1e-300, 1e300}};
-    random_source *r = test_random_source();
-    uint32_t i = random_below(r, 8);
-    if (i < 6)
-        return special[i];
-    return (point2){random_unit(r) - 0.5, random_unit(r) - 0.75};
-}
-
 static void
 every_step_keeps_the_invariant(const point2 *points, uint32_t n)
 {
-    watcher w = {.observer = {see_attach}, .points = points, .direction = some_direction()};
+    watcher w = {.observer = {see_attach}, .points = points, .direction = random_direction()};
     tri_options options = tri_options_default();
     options.direction = w.direction;
     options.trace = &w.observer;
@@ -193,7 +182,7 @@ the_costs_are_as_counted(const point2 *points, uint32_t n)
     uint32_t u, levels = 0;
     while ((uint64_t)1 << levels < n)
         levels++;
-    point2 d = some_direction();
+    point2 d = random_direction();
     uint64_t before = predicate_count.compare_along;
     CLAIM("fig3.P7", sort_along(points, n, d, order, &u) == TRI_OK, "out of memory");
     uint64_t comparisons = predicate_count.compare_along - before;
@@ -218,7 +207,7 @@ the_order_is_right(const point2 *points, uint32_t n)
 {
     vertex_id *order = malloc((n + 1) * sizeof *order);
     uint32_t u;
-    point2 d = some_direction();
+    point2 d = random_direction();
     CLAIM("E12", sort_along(points, n, d, order, &u) == TRI_OK, "out of memory");
     for (uint32_t i = 0; i + 1 < u; i++)
         CLAIM("E12", compare_along(d, points[order[i]], points[order[i + 1]]) < 0,

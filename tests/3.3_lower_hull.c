@@ -252,8 +252,7 @@ lift_triangulates(const point2 *points, uint32_t n)
     triangle_list list;
     verdict v;
     tri_options options = tri_options_default();
-    random_source *r = test_random_source();
-    options.direction = (point2){random_unit(r) - 0.5, random_unit(r) - 0.75};
+    options.direction = random_direction();
     tri_status status = lift_triangulate(points, n, &options, &m);
     CLAIM("lower.P4", status == TRI_OK, "%s", tri_status_text(status));
     claim_verdict("lower.P4", mesh_check(&m));

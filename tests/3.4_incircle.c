@@ -50,8 +50,9 @@ positive_is_inside(void)
         static const point2 on_circle[12] = {
             {5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
             {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
-        point2 centre = {random_below(source, 100), random_below(source, 100)},
-               p[4];
+        point2 centre, p[4];
+        centre.x = random_below(source, 100);
+        centre.y = random_below(source, 100);
         uint32_t place = random_below(source, 12),
                  step = 1 + random_below(source, 5);
         for (uint32_t k = 0; k < 3; k++) { /* together less than once round */

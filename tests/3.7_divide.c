@@ -13,22 +13,10 @@
 #include "chapters/3.7_divide_and_conquer/divide.h"
 #include "lib/memory.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/start.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* A direction, often one along which many points are met together. */
-static point2
-some_direction(void)
-{
-    static const point2 special[] = {{1, 0}, {0, 1}, {-1, 0}, {1, 1}, {-3, 2},
-                                     {1e-300, 1e300}};
-    random_source *r = test_random_source();
-    uint32_t i = random_below(r, 8);
-    if (i < 6)
-        return special[i];
-    return (point2){random_unit(r) - 0.5, random_unit(r) - 0.75};
-}
 
 /* The points in order along d; the caller frees them. */
 static vertex_id *
@@ -284,7 +272,7 @@ run_plan(const point2 *points, uint32_t n, plan p, mesh *m)
 {
     uint32_t u = 0;
     p.points = points;
-    p.d = some_direction();
+    p.d = random_direction();
     vertex_id *L = in_order(points, n, p.d, &u);
     CLAIM("sec3.7.P6", mesh_init(m, n, u) == TRI_OK, "no memory");
     divide_watched(m, &p, L, u);
@@ -314,7 +302,7 @@ static tri_options
 some_options(void)
 {
     tri_options options = tri_options_default();
-    options.direction = some_direction();
+    options.direction = random_direction();
     options.cuts = random_below(test_random_source(), 2) == 0 ? TRI_CUTS_VERTICAL
                                                               : TRI_CUTS_ALTERNATING;
     return options;
@@ -416,7 +404,7 @@ static void
 numbers_depend_on_the_places_only(const point2 *points, uint32_t n)
 {
     uint32_t u = 0;
-    plan p = {.points = points, .d = some_direction(), .halves = true};
+    plan p = {.points = points, .d = random_direction(), .halves = true};
     vertex_id *L = in_order(points, n, p.d, &u);
     tri_options options = tri_options_default();
     options.direction = p.d;
@@ -456,7 +444,7 @@ n_log_n_tests(const point2 *points, uint32_t n)
 static void
 selecting_is_sorting_in_one_place(const point2 *points, uint32_t n)
 {
-    point2 d = some_direction();
+    point2 d = random_direction();
     uint32_t u = 0;
     vertex_id *L = in_order(points, n, d, &u), *sorted = malloc((n + 1) * sizeof *sorted);
     random_source *r = test_random_source();

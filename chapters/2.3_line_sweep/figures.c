@@ -367,7 +367,7 @@ draw_many(FILE *file)
     point2 points[MANY];
     random_source source = random_from_seed(23);
     for (int i = 0; i < MANY; i++)
-        points[i] = (point2){random_unit(&source), random_unit(&source)};
+        points[i] = random_point(&source);
     mesh m;
     must(sweep_triangulate(points, MANY, NULL, &m), "sweep_triangulate");
 

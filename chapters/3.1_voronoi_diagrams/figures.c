@@ -360,7 +360,7 @@ draw_walk(FILE *file)
     point2 points[SITES], x = {0.86, 0.83};
     random_source source = random_from_seed(5);
     for (int i = 0; i < SITES; i++)
-        points[i] = (point2){random_unit(&source), random_unit(&source)};
+        points[i] = random_point(&source);
     diagram g = build(points, SITES);
     svg_box box = wider(svg_box_of(points, SITES), 0.04);
     vertex_id start = 0;

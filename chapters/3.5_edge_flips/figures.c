@@ -494,7 +494,7 @@ draw_many(FILE *file)
     point2 points[MANY];
     random_source source = random_from_seed(23);
     for (int i = 0; i < MANY; i++)
-        points[i] = (point2){random_unit(&source), random_unit(&source)};
+        points[i] = random_point(&source);
     flip_counter counter = {{count_flip}, 0};
     tri_options options = tri_options_default();
     options.trace = &counter.base;

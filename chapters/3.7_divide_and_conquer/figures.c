@@ -259,7 +259,7 @@ draw_cuts(FILE *file)
     point2 points[CUT_POINTS];
     random_source random = random_from_seed(37);
     for (int i = 0; i < CUT_POINTS; i++)
-        points[i] = (point2){random_unit(&random), random_unit(&random)};
+        points[i] = random_point(&random);
     svg page;
     svg_begin(&page, file, (svg_layout){2, 1, 360, 360, 2}, "Vertical and alternating cuts",
               "The same points, divided into sixteen parts by vertical cuts, which are "

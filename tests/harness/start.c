@@ -6,12 +6,25 @@
 
 #include <stdlib.h>
 
+point2
+random_direction(void)
+{
+    static const point2 special[] = {{1, 0}, {0, 1}, {-1, 0}, {1, 1}, {-3, 2},
+                                     {1e-300, 1e300}};
+    random_source *r = test_random_source();
+    uint32_t i = random_below(r, 8);
+    if (i < 6)
+        return special[i];
+    point2 p = random_point(r);
+    return (point2){p.x - 0.5, p.y - 0.75};
+}
+
 void
 random_triangulation(const point2 *points, uint32_t n, mesh *out)
 {
     random_source *r = test_random_source();
     tri_options options = tri_options_default();
-    options.direction = (point2){random_unit(r) - 0.5, random_unit(r) - 0.75};
+    options.direction = random_direction();
     tri_status status = sweep_triangulate(points, n, &options, out);
     CLAIM("fig3.P3", status == TRI_OK, "%s", tri_status_text(status));
     if (out->triangles == 0)
@@ -28,8 +41,10 @@ whole_points(uint32_t n, uint32_t most)
 {
     random_source *r = test_random_source();
     point2 *points = malloc((n + 1) * sizeof *points);
-    for (uint32_t i = 0; i < n && points != NULL; i++)
-        points[i] = (point2){random_below(r, most + 1), random_below(r, most + 1)};
+    for (uint32_t i = 0; i < n && points != NULL; i++) {
+        points[i].x = random_below(r, most + 1);
+        points[i].y = random_below(r, most + 1);
+    }
     CLAIM("fig3.P3", points != NULL, "out of memory");
     return points;
 }

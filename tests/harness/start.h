@@ -5,6 +5,9 @@
 #include "lib/mesh.h"
 #include "tests/harness/harness.h"
 
+/* A direction, never (0,0); often one along which many points are met together. */
+point2 random_direction(void);
+
 /* Some triangulation of the points: a sweep in a random direction and then random
  * flips, of which any number may be none. Fails the trial when there is no memory. */
 void random_triangulation(const point2 *points, uint32_t n, mesh *out);
