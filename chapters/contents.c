@@ -5,6 +5,7 @@
 #include "chapters/3.2_empty_circumcircle/empty_circle.h"
 #include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/3.6_randomized_incremental/biased_order.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
 
 #include <string.h>
@@ -18,6 +19,11 @@ const algorithm contents[] = {
      "the underside of a convex hull in space (Figure 8)"},
     {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true, UINT32_MAX,
      "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
+    {"incremental", "3.6", "incremental_triangulate", incremental_triangulate, true,
+     UINT32_MAX,
+     "points are inserted in random order, with edge flips (Figure 12)"},
+    {"biased", "3.6", "biased_triangulate", biased_triangulate, true, UINT32_MAX,
+     "the same in an order that is random enough, and short to walk along"},
     {"divide", "3.7", "divide_triangulate", divide_triangulate, true, UINT32_MAX,
      "halves, divided along a line again and again, are merged"},
 };

@@ -20,6 +20,8 @@ extern "C" {
 #include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/3.6_randomized_incremental/biased_order.h"
+#include "chapters/3.6_randomized_incremental/incremental.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
 #include "chapters/contents.h"
 #include "lib/mesh.h"

@@ -180,6 +180,13 @@ mesh_halfedges(const mesh *m)
     return 3 * m->triangles;
 }
 
+/* How many half-edges there is room for: as many as there will be at the end. */
+static inline halfedge_id
+mesh_room(const mesh *m)
+{
+    return m->locations > 1 ? 6 * m->locations - 6 : 0;
+}
+
 /* ---- Making and changing. ---- */
 
 /* TRI_TOO_MANY_POINTS when handles for u locations do not fit into 32 bits. */

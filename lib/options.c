@@ -6,7 +6,8 @@
 tri_options
 tri_options_default(void)
 {
-    tri_options defaults = {.size = sizeof defaults, .direction = {1, 0}};
+    tri_options defaults = {.size = sizeof defaults, .direction = {1, 0},
+                            .locator = TRI_LOCATOR_BUCKETS};
     return defaults;
 }
 
@@ -35,6 +36,9 @@ tri_accept(const point2 *points, uint32_t n, const tri_options *given,
         (used->direction.x == 0 && used->direction.y == 0))
         return TRI_BAD_OPTION;
     if (used->cuts != TRI_CUTS_VERTICAL && used->cuts != TRI_CUTS_ALTERNATING)
+        return TRI_BAD_OPTION;
+    if (used->locator != TRI_LOCATOR_WALK && used->locator != TRI_LOCATOR_BUCKETS &&
+        used->locator != TRI_LOCATOR_HISTORY)
         return TRI_BAD_OPTION;
     if (!arithmetic_is_ieee())
         return TRI_BAD_FP_ENVIRONMENT;

@@ -27,11 +27,21 @@ typedef enum tri_cuts {
     TRI_CUTS_ALTERNATING /* across it and along it in turn */
 } tri_cuts;
 
+/* 3.6: how the triangle is found that contains the next point. */
+typedef enum tri_locator {
+    TRI_LOCATOR_WALK,    /* by a straight walk from the point before */
+    TRI_LOCATOR_BUCKETS, /* each triangle keeps the points that wait in it */
+    TRI_LOCATOR_HISTORY  /* through all triangles that have been there */
+} tri_locator;
+
 typedef struct tri_options {
-    size_t size;         /* sizeof (tri_options): lets the struct grow */
-    point2 direction;    /* 2.3, 3.7: the order of the points; default (1,0) */
-    struct trace *trace; /* who watches; default NULL, nobody */
-    tri_cuts cuts;       /* 3.7; default TRI_CUTS_VERTICAL */
+    size_t size;            /* sizeof (tri_options): lets the struct grow */
+    point2 direction;       /* 2.3, 3.7: the order of the points; default (1,0) */
+    struct trace *trace;    /* who watches; default NULL, nobody */
+    tri_cuts cuts;          /* 3.7; default TRI_CUTS_VERTICAL */
+    const vertex_id *order; /* 3.6: each index once; default NULL, at random */
+    uint64_t seed;          /* 3.6: names the random order; default 0 */
+    tri_locator locator;    /* 3.6; default TRI_LOCATOR_BUCKETS */
 } tri_options;
 
 /* The defaults, with their size filled in. */
@@ -41,7 +51,7 @@ tri_options tri_options_default(void);
  *
  *   TRI_OK                  yes; *used holds the options to use
  *   TRI_BAD_OPTION          wrong size, a direction that is zero or not finite,
- *                           or cuts that are none of the above
+ *                           cuts or a locator that are none of the above
  *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
  *   TRI_NOT_FINITE          some coordinate is NaN or infinite
  *   TRI_TOO_MANY_POINTS     n is UINT32_MAX: the last index would be GHOST

@@ -19,7 +19,11 @@ typedef enum trace_kind {
     TRACE_POP,    /* edge, from a to b, taken from the stack */
     TRACE_FLIP,   /* a b became c d; edge now leads from d to c */
     TRACE_PUSH,   /* edge, from a to b, put on the stack */
-    TRACE_BRIDGE  /* edge, from a to b, joins two triangulations */
+    TRACE_BRIDGE, /* edge, from a to b, joins two triangulations */
+    TRACE_VISIT,  /* a search looks at the triangle of edge */
+    TRACE_LOCATE, /* the place of a has been found: in the triangle of edge */
+    TRACE_SPLIT,  /* a joined to the corners around its place; edge leaves a */
+    TRACE_MOVE    /* a, not a vertex yet, now waits in the triangle of edge */
 } trace_kind;
 
 typedef struct trace_event {

@@ -58,13 +58,13 @@ tri_status
 edge_stack_init(edge_stack *L, mesh *m)
 {
     *L = (edge_stack){.m = m};
-    L->entry = memory_array(mesh_halfedges(m), sizeof *L->entry);
-    L->on_stack = memory_array(mesh_halfedges(m), sizeof *L->on_stack);
+    L->entry = memory_array(mesh_room(m), sizeof *L->entry);
+    L->on_stack = memory_array(mesh_room(m), sizeof *L->on_stack);
     if (L->entry == NULL || L->on_stack == NULL) {
         edge_stack_free(L);
         return TRI_OUT_OF_MEMORY;
     }
-    for (halfedge_id e = 0; e < mesh_halfedges(m); e++)
+    for (halfedge_id e = 0; e < mesh_room(m); e++)
         L->on_stack[e] = false;
     return TRI_OK;
 }

@@ -56,7 +56,8 @@ typedef struct edge_stack {
     bool *on_stack; /* half-edge -> is it an entry? */
 } edge_stack;
 
-/* An empty stack for the edges of *m. TRI_OUT_OF_MEMORY: *L is zeroed. */
+/* An empty stack for the edges of *m, those to come included.
+ * TRI_OUT_OF_MEMORY: *L is zeroed. */
 tri_status edge_stack_init(edge_stack *L, mesh *m);
 
 /* Frees the arrays and zeroes *L; a zeroed stack is accepted. */
