@@ -107,7 +107,7 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
-    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/deps
+    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(TOOLS:%=$(BUILD)/%)
 
 # ---- What people run. ----
 

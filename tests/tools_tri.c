@@ -57,7 +57,7 @@ results_are_certified_and_reproducible(void)
     int status = shell(
         "for dist in $($tri help generate | awk '/^Distributions/ {on=1; next} "
         "    on {print $1}'); do "
-        "  $tri generate $dist 300 --seed 5 -o $d/g.node || exit 3; "
+        "  $tri generate $dist 60 --seed 5 -o $d/g.node || exit 3; "
         "  for a in $($tri help triangulate | awk '$2 ~ /^[0-9]+\\.[0-9]+$/ "
         "      {print $1 \"=\" $3}'); do "
         "    $tri triangulate --algorithm ${a%%=*} -o $d/g.ele $d/g.node 2>$d/err "
