@@ -68,10 +68,14 @@ print_algorithms(void)
 {
     printf("\nAlgorithms, and the section of the notes (if not given: %s):\n",
            default_algorithm()->name);
-    for (uint32_t i = 0; i < contents_count; i++)
-        printf("  %-10s %s  %-13s  %s\n", contents[i].name, contents[i].section,
-               contents[i].delaunay ? "Delaunay" : "triangulation",
-               contents[i].summary);
+    for (uint32_t i = 0; i < contents_count; i++) {
+        const algorithm *a = &contents[i];
+        printf("  %-11s %s  %-13s  %s", a->name, a->section,
+               a->delaunay ? "Delaunay" : "triangulation", a->summary);
+        if (a->most < UINT32_MAX)
+            printf(" (slow beyond %lu points)", (unsigned long)a->most);
+        putchar('\n');
+    }
 }
 
 int
