@@ -15,7 +15,7 @@ const algorithm contents[] = {
      "a line sweeps over the points (Figure 3)"},
     {"brute", "3.2", "brute_triangulate", brute_triangulate, true, 24,
      "all triangles whose circles enclose no site: n^4 questions"},
-    {"lift", "3.3", "lift_triangulate", lift_triangulate, true, UINT32_MAX,
+    {"lift", "3.3", "lift_triangulate", lift_triangulate, true, 5000,
      "the underside of a convex hull in space (Figure 8)"},
     {"lawson", "3.5", "lawson_triangulate", lawson_triangulate, true, UINT32_MAX,
      "the sweep, then edge flips until all edges are locally Delaunay (Figure 10)"},
