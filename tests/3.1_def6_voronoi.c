@@ -52,6 +52,16 @@ some_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d)
     CLAIM("sec3.1.P4", voronoi_dual(m, points, d) == TRI_OK, "no diagram");
 }
 
+/* The diagram of a few points. */
+static void
+diagram_of(const point2 *points, uint32_t n, voronoi *d)
+{
+    mesh m;
+    CLAIM("sec3.1.P4", lawson_triangulate(points, n, NULL, &m) == TRI_OK &&
+          voronoi_dual(&m, points, d) == TRI_OK, "no diagram");
+    mesh_free(&m);
+}
+
 static uint32_t
 cell_size(const voronoi *d, vertex_id p)
 {
@@ -326,16 +336,6 @@ general_position_means_unique(const point2 *points, uint32_t n)
 
 /* ---- Exact values and errata. ---- */
 
-/* The diagram of a few points. */
-static void
-diagram_of(const point2 *points, uint32_t n, voronoi *d)
-{
-    mesh m;
-    CLAIM("sec3.1.P4", lawson_triangulate(points, n, NULL, &m) == TRI_OK &&
-          voronoi_dual(&m, points, d) == TRI_OK, "no diagram");
-    mesh_free(&m);
-}
-
 static void
 grids_have_squares(void)
 {
@@ -540,6 +540,71 @@ damage_is_seen(const point2 *points, uint32_t n)
     mesh_free(&m);
 }
 
+/* Forgeries in which every cell looks right. The sites (0,0), (4,0), (0,4), (5,5)
+ * have two vertices; here are the edges of the first one only, and (5,5) has no cell. */
+static void
+a_forgotten_vertex_is_seen(void)
+{
+    const point2 points[] = {{0, 0}, {4, 0}, {0, 4}, {5, 5}};
+    uint32_t vertex_first[] = {0, 3, 6}, cell_first[] = {0, 2, 4, 6, 6};
+    vertex_id vertex_site[] = {0, 1, 2, 1, 3, 2};
+    voronoi_edge edge[] = {{1, 0, 0, NONE}, {2, 1, 0, NONE}, {0, 2, 0, NONE}};
+    uint32_t cell_edge[] = {0, 2, 1, 0, 2, 1};
+    voronoi forged = {4, 3, 2, 3, vertex_first, vertex_site, edge, cell_first, cell_edge};
+    verdict v;
+    CLAIM("sec3.1.P11", is_voronoi(points, 4, &forged, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P11", !v.holds, "a vertex without edges was not seen");
+    forged.points = 3;
+    forged.vertices = 1;
+    CLAIM("sec3.1.P11", is_voronoi(points, 3, &forged, &v) == TRI_OK, "out of memory");
+    claim_verdict("sec3.1.P11", v); /* of three sites this is the diagram */
+}
+
+/* The diagram of (0,0), (4,0), (0,4) and two copies, with an edge too many: in no cell;
+ * or a line between the copies, in theirs. */
+static void
+one_edge_more_is_seen(void)
+{
+    const point2 points[] = {{0, 0}, {4, 0}, {0, 4}, {4, 0}, {0, 4}};
+    uint32_t vertex_first[] = {0, 3}, cell_first[] = {0, 2, 4, 6, 6, 6};
+    vertex_id vertex_site[] = {0, 1, 2};
+    voronoi_edge edge[] = {{1, 0, 0, NONE}, {2, 1, 0, NONE}, {0, 2, 0, NONE},
+                           {3, 4, NONE, NONE}};
+    uint32_t cell_edge[] = {0, 2, 1, 0, 2, 1, 3, 3};
+    voronoi d = {5, 3, 1, 3, vertex_first, vertex_site, edge, cell_first, cell_edge};
+    verdict v;
+    CLAIM("sec3.1.P11", is_voronoi(points, 5, &d, &v) == TRI_OK, "out of memory");
+    claim_verdict("sec3.1.P11", v);
+    d.edges = 4;
+    CLAIM("sec3.1.P11", is_voronoi(points, 5, &d, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P11", !v.holds, "an edge in no cell was not seen");
+    cell_first[4] = 7;
+    cell_first[5] = 8;
+    d.cells = 5;
+    CLAIM("sec3.1.P11", is_voronoi(points, 5, &d, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P11", !v.holds, "a line between copies was not seen");
+}
+
+/* In a grid, one cell goes around twice, and another of the same size not at all. */
+static void
+a_cell_around_twice_is_seen(void)
+{
+    point2 points[16];
+    for (uint32_t i = 0; i < 16; i++)
+        points[i] = (point2){i % 4, i / 4};
+    voronoi d;
+    verdict v;
+    diagram_of(points, 16, &d);
+    uint32_t *twice = d.cell_edge + d.cell_first[5], *none = d.cell_edge + d.cell_first[6];
+    CLAIM("sec3.1.P11", cell_size(&d, 5) == 4 && cell_size(&d, 6) == 4, "no grid");
+    memcpy(none, twice, 4 * sizeof *none); /* the two follow each other */
+    d.cell_first[6] += 4;
+    d.cells--;
+    CLAIM("sec3.1.P11", is_voronoi(points, 16, &d, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P11", !v.holds, "a cell around twice was not seen");
+    voronoi_free(&d);
+}
+
 /* The dual of some other triangulation is refuted. */
 static void
 only_delaunay_has_the_dual(const point2 *points, uint32_t n)
@@ -654,6 +719,9 @@ main(int argc, char **argv)
     test_near_degenerate("another triangulation", only_delaunay_has_the_dual, 500, 10);
     test_random("damage", damage_is_seen, 4000, 30);
     test_grid_subsets("damage", damage_is_seen, 3);
+    test_run("a forgotten vertex", a_forgotten_vertex_is_seen);
+    test_run("one edge more", one_edge_more_is_seen);
+    test_run("a cell around twice", a_cell_around_twice_is_seen);
     test_run("grids", grids_have_squares);
     test_run("E14: three sites", e14_three_sites);
     test_run("E15: two sites", e15_two_sites);

@@ -183,8 +183,6 @@ check_cell(const voronoi *d, vertex_id p, vertex_id *met, uint32_t *corners)
         met[e.right] = p;
         if (e.from == NONE && e.to == NONE)
             return refuted_cell(p, e.right, "it is a line, and there are vertices");
-        if (e.to != next.from)
-            return refuted_cell(p, e.right, "the next one begins somewhere else");
         if (e.to == NONE && i + 1 < size)
             return refuted_cell(p, e.right, "it is a ray, and not the last one");
         if (e.to != NONE && !is_corner(d, e.to, next.right, p, e.right))
