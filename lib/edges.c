@@ -13,8 +13,9 @@ edge_list_free(edge_list *list)
     *list = (edge_list){0};
 }
 
-/* Of the two half-edges along an edge of *m, is e the one that names it? That is
- * the one towards the higher index; GHOST, the highest, is no end of an edge. */
+/* Of the two half-edges along an edge of *m, is e the one that names it? That
+ * is the one towards the higher index; GHOST, the highest, is no end of an
+ * edge. */
 static bool
 names_an_edge(const mesh *m, halfedge_id e)
 {
@@ -34,7 +35,8 @@ mesh_edges(const mesh *m, const bool *chosen, edge_list *out)
         if (!names_an_edge(m, e))
             continue;
         if (chosen == NULL || chosen[e] || chosen[mesh_twin(m, e)])
-            item[count++].key = (uint64_t)mesh_origin(m, e) << 32 | mesh_dest(m, e);
+            item[count++].key =
+                (uint64_t)mesh_origin(m, e) << 32 | mesh_dest(m, e);
     }
     sort_by_key(item, item + most, count);
     out->ends = memory_array(count, sizeof *out->ends);

@@ -1,4 +1,4 @@
-/* mesh_build.c - a mesh from triangles, or from a path, that are known already. */
+/* mesh_build.c - a mesh from triangles or a path that are known already. */
 #include "lib/mesh_build.h"
 
 #include "lib/memory.h"
@@ -25,23 +25,25 @@ count_vertices(uint32_t n, triangle_list list, uint32_t *used)
     return TRI_OK;
 }
 
-/* Adds the triangles with the given neighbours, and one at GHOST for each side that
- * has none. The spokes of these are not linked yet. */
+/* Adds the triangles with the given neighbours, and one at GHOST for each side
+ * that has none. The spokes of these are not linked yet. */
 static void
 add_triangles(mesh *m, triangle_list list, const halfedge_id *twin)
 {
     for (uint32_t t = 0; t < list.count; t++)
-        mesh_add_triangle(m, list.corner[t][0], list.corner[t][1], list.corner[t][2]);
+        mesh_add_triangle(m, list.corner[t][0], list.corner[t][1],
+                          list.corner[t][2]);
     for (halfedge_id e = 0; e < 3 * list.count; e++) {
         halfedge_id f = twin[e];
         if (f == NONE)
-            f = mesh_add_triangle(m, side_dest(list, e), side_origin(list, e), GHOST);
+            f = mesh_add_triangle(m, side_dest(list, e), side_origin(list, e),
+                                  GHOST);
         mesh_link(m, e, f);
     }
 }
 
-/* Links the spokes: at each hull vertex v one triangle at GHOST has the half-edge
- * from v to GHOST, and another one has its twin. */
+/* Links the spokes: at each hull vertex v one triangle at GHOST has the
+ * half-edge from v to GHOST, and another one has its twin. */
 static void
 close_outside(mesh *m, halfedge_id first_outside)
 {

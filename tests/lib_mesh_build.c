@@ -34,7 +34,8 @@ shuffle(triangle_list list)
 {
     random_source *r = test_random_source();
     for (uint32_t t = list.count; t > 0; t--) {
-        vertex_id *last = list.corner[t - 1], *chosen = list.corner[random_below(r, t)];
+        vertex_id *last = list.corner[t - 1],
+                  *chosen = list.corner[random_below(r, t)];
         for (int i = 0; i < 3; i++)
             exchange(&last[i], &chosen[i]);
         if (random_below(r, 2) == 0) { /* a b c becomes b c a */
@@ -53,8 +54,8 @@ expect_same_hull(const mesh *m, const mesh *again)
     uint32_t h = hull_vertices(m, hull), k = hull_vertices(again, other);
     CLAIM("mesh_build", h == k, "%u hull vertices became %u", h, k);
     for (uint32_t i = 0; i < h; i++)
-        CLAIM("mesh_build", hull[i] == other[i], "hull vertex %u is %u and was %u", i,
-              other[i], hull[i]);
+        CLAIM("mesh_build", hull[i] == other[i],
+              "hull vertex %u is %u and was %u", i, other[i], hull[i]);
     free(hull);
     free(other);
 }
@@ -72,11 +73,13 @@ triangles_make_their_mesh(const point2 *points, uint32_t n)
     CLAIM("mesh_build", status == TRI_OK, "%s", tri_status_text(status));
     claim_verdict("mesh_build", mesh_check(&again));
     for (halfedge_id e = 0; e < 3 * list.count; e++)
-        CLAIM("mesh_build", mesh_origin(&again, e) == side_origin(list, e) &&
-              mesh_dest(&again, e) == side_dest(list, e), "side %u is no half-edge", e);
-    CLAIM("mesh_build", again.triangles == m.triangles &&
-          again.locations == m.locations, "%u triangles became %u",
-          m.triangles, again.triangles);
+        CLAIM("mesh_build",
+              mesh_origin(&again, e) == side_origin(list, e) &&
+                  mesh_dest(&again, e) == side_dest(list, e),
+              "side %u is no half-edge", e);
+    CLAIM("mesh_build",
+          again.triangles == m.triangles && again.locations == m.locations,
+          "%u triangles became %u", m.triangles, again.triangles);
     expect_same_hull(&m, &again);
     triangle_list_free(&list);
     mesh_free(&m);
@@ -88,13 +91,16 @@ a_path_makes_its_mesh(const point2 *points, uint32_t n)
 {
     const point2 along_x = {1, 0};
     point2 *line = malloc((n + 1) * sizeof *line);
-    for (uint32_t i = 0; i < n; i++) /* the diagonal, with the same duplicates */
+    for (uint32_t i = 0; i < n;
+         i++) /* the diagonal, with the same duplicates */
         line[i] = (point2){points[i].x, points[i].x};
     vertex_id *order = malloc((n + 1) * sizeof *order);
     uint32_t u;
     mesh m, again;
-    CLAIM("mesh_build", sort_along(line, n, along_x, order, &u) == TRI_OK, "no order");
-    CLAIM("mesh_build", sweep_triangulate(line, n, NULL, &m) == TRI_OK, "no mesh");
+    CLAIM("mesh_build", sort_along(line, n, along_x, order, &u) == TRI_OK,
+          "no order");
+    CLAIM("mesh_build", sweep_triangulate(line, n, NULL, &m) == TRI_OK,
+          "no mesh");
     tri_status status = mesh_from_path(n, order, u, &again);
     CLAIM("mesh_build", status == TRI_OK, "%s", tri_status_text(status));
     claim_verdict("mesh_build", mesh_check(&again));
@@ -115,8 +121,10 @@ memory_may_run_out(void)
     const vertex_id path[] = {1, 0, 2};
     triangle_list list;
     mesh m, again;
-    CLAIM("mesh_build", sweep_triangulate(points, 5, NULL, &m) == TRI_OK &&
-          mesh_triangles(&m, &list) == TRI_OK, "no triangles");
+    CLAIM("mesh_build",
+          sweep_triangulate(points, 5, NULL, &m) == TRI_OK &&
+              mesh_triangles(&m, &list) == TRI_OK,
+          "no triangles");
     mesh_free(&m);
     for (int which = 0; which < 2; which++) {
         tri_status status = TRI_OUT_OF_MEMORY;
@@ -126,9 +134,10 @@ memory_may_run_out(void)
             status = which == 0 ? mesh_from_triangles(5, list, &again)
                                 : mesh_from_path(3, path, 3, &again);
             memory_fail_at(0);
-            CLAIM("mesh_build", status == TRI_OK || (status == TRI_OUT_OF_MEMORY &&
-                  is_zeroed(&again)), "allocation %lu: %s", k,
-                  tri_status_text(status));
+            CLAIM("mesh_build",
+                  status == TRI_OK ||
+                      (status == TRI_OUT_OF_MEMORY && is_zeroed(&again)),
+                  "allocation %lu: %s", k, tri_status_text(status));
         }
         CLAIM("mesh_build", k > 2, "%lu allocations", k - 1);
         mesh_free(&again);
@@ -139,9 +148,12 @@ memory_may_run_out(void)
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "lib/mesh_build: a mesh made of its triangles, or of a path");
-    test_random("triangles make their mesh", triangles_make_their_mesh, 2000, 100);
-    test_grid_subsets("triangles make their mesh", triangles_make_their_mesh, 3);
+    test_begin(argc, argv,
+               "lib/mesh_build: a mesh made of its triangles, or of a path");
+    test_random("triangles make their mesh", triangles_make_their_mesh, 2000,
+                100);
+    test_grid_subsets("triangles make their mesh", triangles_make_their_mesh,
+                      3);
     test_random("a path makes its mesh", a_path_makes_its_mesh, 1000, 60);
     test_run("memory may run out", memory_may_run_out);
     return test_end((test_minima){.trials = 3000, .largest_n = 90});

@@ -1,4 +1,4 @@
-/* empty_circle.c - Definition 7 of the notes, and the trivial algorithm of 3.2.1. */
+/* empty_circle.c - Definition 7, and the trivial algorithm of 3.2.1. */
 #include "chapters/3.2_empty_circumcircle/empty_circle.h"
 
 #include "chapters/2.3_line_sweep/sweep.h"
@@ -18,7 +18,7 @@ has_empty_circle(const point2 *points, uint32_t n, vertex_id a, vertex_id b,
     return true;
 }
 
-/* Does d lie on the segment ab, between its ends? An obtuse angle that is flat. */
+/* Does d lie on the segment ab, between its ends? A flat angle is obtuse. */
 static bool
 lies_between(const point2 *points, vertex_id a, vertex_id b, vertex_id d)
 {
@@ -26,11 +26,11 @@ lies_between(const point2 *points, vertex_id a, vertex_id b, vertex_id d)
            dot_sign(points[a], points[d], points[b]) < 0;
 }
 
-/* The circles through a and b form a row, in the order of their centres. Going left,
- * each takes more of the left side in and leaves more of the right side out. Of the
- * sites on the left, the one that the row meets first bounds how far left the centre
- * of an empty circle can be; so the circle through it is the best chance to leave out
- * the sites on the right. */
+/* The circles through a and b form a row, in the order of their centres. Going
+ * left, each takes more of the left side in and leaves more of the right side
+ * out. Of the sites on the left, the one that the row meets first bounds how
+ * far left the centre of an empty circle can be; so the circle through it is
+ * the best chance to leave out the sites on the right. */
 bool
 is_delaunay_edge(const point2 *points, uint32_t n, vertex_id a, vertex_id b)
 {
@@ -39,7 +39,8 @@ is_delaunay_edge(const point2 *points, uint32_t n, vertex_id a, vertex_id b)
         if (lies_between(points, a, b, d))
             return false;
         if (orient2d(points[a], points[b], points[d]) > 0 &&
-            (c == NONE || incircle(points[a], points[b], points[c], points[d]) > 0))
+            (c == NONE ||
+             incircle(points[a], points[b], points[c], points[d]) > 0))
             c = d;
     }
     return c == NONE || has_empty_circle(points, n, a, b, c);
@@ -84,16 +85,16 @@ append_if_delaunay(const point2 *points, uint32_t n, vertex_id a, vertex_id b,
 
 /* The Delaunay triangles with corners among the u given sites. */
 static tri_status
-try_all_triangles(const point2 *points, uint32_t n, const vertex_id *site, uint32_t u,
-                  triangle_list *list)
+try_all_triangles(const point2 *points, uint32_t n, const vertex_id *site,
+                  uint32_t u, triangle_list *list)
 {
     tri_status status = TRI_OK;
     uint32_t room = 0;
     for (uint32_t i = 0; i < u; i++)
         for (uint32_t j = i + 1; j < u; j++)
             for (uint32_t k = j + 1; k < u && status == TRI_OK; k++)
-                status = append_if_delaunay(points, n, site[i], site[j], site[k], list,
-                                            &room);
+                status = append_if_delaunay(points, n, site[i], site[j],
+                                            site[k], list, &room);
     return status;
 }
 
@@ -106,7 +107,7 @@ delaunay_triangles(const point2 *points, uint32_t n, triangle_list *out)
     vertex_id *site = memory_array(n, sizeof *site);
     if (site == NULL)
         return TRI_OUT_OF_MEMORY;
-    tri_status status = sort_along(points, n, along_x, site, &u); /* without copies */
+    tri_status status = sort_along(points, n, along_x, site, &u);
     if (status == TRI_OK)
         status = try_all_triangles(points, n, site, u, out);
     memory_free(site);
@@ -117,11 +118,12 @@ delaunay_triangles(const point2 *points, uint32_t n, triangle_list *out)
 
 /* ---- From overlapping triangles to a triangulation. ---- */
 
-/* Is abc a piece of the fan at a, where a is the lowest index on its circle, and bc
- * a side of the polygon of all sites on it? Other sites on the circle that lie beyond
- * bc would be corners between b and c. */
+/* Is abc a piece of the fan at a, where a is the lowest index on its circle,
+ * and bc a side of the polygon of all sites on it? Other sites on the circle
+ * that lie beyond bc would be corners between b and c. */
 static bool
-belongs_to_fan(const point2 *points, uint32_t n, vertex_id a, vertex_id b, vertex_id c)
+belongs_to_fan(const point2 *points, uint32_t n, vertex_id a, vertex_id b,
+               vertex_id c)
 {
     for (vertex_id d = 0; d < n; d++) {
         if (incircle(points[a], points[b], points[c], points[d]) != 0)
@@ -132,7 +134,8 @@ belongs_to_fan(const point2 *points, uint32_t n, vertex_id a, vertex_id b, verte
     return true;
 }
 
-/* Drops the triangles that belong to no fan; a triangle begins at its lowest index. */
+/* Drops the triangles that belong to no fan; a triangle begins at its lowest
+ * index. */
 static void
 keep_fans(const point2 *points, uint32_t n, triangle_list *list)
 {

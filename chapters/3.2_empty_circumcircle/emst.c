@@ -13,7 +13,8 @@
 static int
 compare_edges(const point2 *points, const vertex_id e[2], const vertex_id f[2])
 {
-    int sign = compare_distance(points[e[0]], points[e[1]], points[f[0]], points[f[1]]);
+    int sign = compare_distance(points[e[0]], points[e[1]], points[f[0]],
+                                points[f[1]]);
     if (sign != 0)
         return sign;
     if (e[0] != f[0])
@@ -21,8 +22,8 @@ compare_edges(const point2 *points, const vertex_id e[2], const vertex_id f[2])
     return (e[1] > f[1]) - (e[1] < f[1]);
 }
 
-/* The square of the length, rounded. Edges with equal ones may differ in length, and
- * edges with nearly equal ones may be in the wrong order. */
+/* The square of the length, rounded. Edges with equal ones may differ in
+ * length, and edges with nearly equal ones may be in the wrong order. */
 static double
 rounded_square(point2 p, point2 q)
 {
@@ -55,20 +56,21 @@ sort_roughly(const point2 *points, edge_list edges)
     return status;
 }
 
-/* Merges the sorted runs ends[lo,mid) and ends[mid,hi), with room for the first of
- * them in `left`. When all is in order already, one comparison finds out. */
+/* Merges the sorted runs ends[lo,mid) and ends[mid,hi), with room for the first
+ * of them in `left`. When all is in order already, one comparison finds out. */
 static void
-merge_runs(const point2 *points, vertex_id (*ends)[2], vertex_id (*left)[2], size_t lo,
-           size_t mid, size_t hi)
+merge_runs(const point2 *points, vertex_id (*ends)[2], vertex_id (*left)[2],
+           size_t lo, size_t mid, size_t hi)
 {
     if (compare_edges(points, ends[mid - 1], ends[mid]) < 0)
         return;
     memcpy(left, ends + lo, (mid - lo) * sizeof *ends);
     size_t taken = 0, count = mid - lo, right = mid;
     for (size_t k = lo; taken < count; k++) {
-        bool take_left = right == hi ||
-            compare_edges(points, left[taken], ends[right]) < 0;
-        memcpy(ends[k], take_left ? left[taken++] : ends[right++], sizeof *ends);
+        bool take_left =
+            right == hi || compare_edges(points, left[taken], ends[right]) < 0;
+        memcpy(ends[k], take_left ? left[taken++] : ends[right++],
+               sizeof *ends);
     }
 }
 
@@ -93,8 +95,8 @@ sort_by_length(const point2 *points, edge_list edges)
 
 /* ---- Which vertices are connected already? ---- */
 
-/* parent[v] leads from v towards the one vertex that stands for its component. NULL
- * when there is no memory. */
+/* parent[v] leads from v towards the one vertex that stands for its component.
+ * NULL when there is no memory. */
 static vertex_id *
 no_connections(uint32_t n)
 {
@@ -104,8 +106,8 @@ no_connections(uint32_t n)
     return parent;
 }
 
-/* The vertex that stands for the component of v. Half of the vertices on the way are
- * led past their parents, which makes the next way shorter. */
+/* The vertex that stands for the component of v. Half of the vertices on the
+ * way are led past their parents, which makes the next way shorter. */
 static vertex_id
 component(vertex_id *parent, vertex_id v)
 {
@@ -169,16 +171,16 @@ refuted_edge(const char *what, vertex_id v, vertex_id w)
     return verdict_with(verdict_with(no, v), w);
 }
 
-/* Does the list have u-1 edges between vertices of the mesh, and no cycle? Then it is
- * a spanning tree. Uses and spoils parent. */
+/* Does the list have u-1 edges between vertices of the mesh, and no cycle? Then
+ * it is a spanning tree. Uses and spoils parent. */
 static verdict
 check_spanning_tree(const mesh *m, edge_list tree, vertex_id *parent)
 {
     uint32_t needed = m->locations > 0 ? m->locations - 1 : 0;
     if (tree.count != needed)
-        return verdict_refuted("%u edges: a spanning tree of %u locations has %u",
-                               (unsigned)tree.count, (unsigned)m->locations,
-                               (unsigned)needed);
+        return verdict_refuted(
+            "%u edges: a spanning tree of %u locations has %u",
+            (unsigned)tree.count, (unsigned)m->locations, (unsigned)needed);
     for (uint32_t i = 0; i < tree.count; i++) {
         vertex_id v = tree.ends[i][0], w = tree.ends[i][1];
         if (v >= m->points || w >= m->points)
@@ -192,23 +194,28 @@ check_spanning_tree(const mesh *m, edge_list tree, vertex_id *parent)
     return verdict_holds();
 }
 
-/* When all edges of the tree are there that are not longer than an edge of the mesh,
- * are its ends connected? Both lists are sorted by length. Uses and spoils parent. */
+/* When all edges of the tree are there that are not longer than an edge of the
+ * mesh, are its ends connected? Both lists are sorted by length. Uses and
+ * spoils parent. */
 static verdict
-check_minimum(const point2 *points, edge_list tree, edge_list edges, vertex_id *parent)
+check_minimum(const point2 *points, edge_list tree, edge_list edges,
+              vertex_id *parent)
 {
     uint32_t added = 0;
     for (uint32_t i = 0; i < edges.count; i++) {
         vertex_id v = edges.ends[i][0], w = edges.ends[i][1];
         for (; added < tree.count; added++) {
             const vertex_id *t = tree.ends[added];
-            if (compare_distance(points[t[0]], points[t[1]], points[v], points[w]) > 0)
+            if (compare_distance(points[t[0]], points[t[1]], points[v],
+                                 points[w]) > 0)
                 break;
             connect(parent, t[0], t[1]);
         }
         if (component(parent, v) != component(parent, w))
-            return refuted_edge("an edge is shorter than one on the way between its ends "
-                                "in the tree", v, w);
+            return refuted_edge(
+                "an edge is shorter than one on the way between its ends "
+                "in the tree",
+                v, w);
     }
     return verdict_holds();
 }
@@ -229,7 +236,8 @@ copy_edges(edge_list list, edge_list *out)
 
 /* The second half of is_emst, for a spanning tree. */
 static tri_status
-compare_with_edges(const mesh *m, const point2 *points, edge_list tree, verdict *out)
+compare_with_edges(const mesh *m, const point2 *points, edge_list tree,
+                   verdict *out)
 {
     edge_list edges, sorted = {0};
     vertex_id *parent = no_connections(m->points);

@@ -14,7 +14,8 @@ is_edge(const mesh *m, halfedge_id e)
 
 /* Is half-edge e shorter than f (-1), as long (0), or longer (+1)? */
 static int
-compare_halfedges(const mesh *m, const point2 *points, halfedge_id e, halfedge_id f)
+compare_halfedges(const mesh *m, const point2 *points, halfedge_id e,
+                  halfedge_id f)
 {
     return compare_distance(points[mesh_origin(m, e)], points[mesh_dest(m, e)],
                             points[mesh_origin(m, f)], points[mesh_dest(m, f)]);
@@ -22,13 +23,16 @@ compare_halfedges(const mesh *m, const point2 *points, halfedge_id e, halfedge_i
 
 /* ---- The Gabriel graph. ---- */
 
-/* Is the apex of ab inside the circle with diameter ab, or on it? Then some site is;
- * and if some site on the left of ab is, the apex is, too (page 3.2, P8). */
+/* Is the apex of ab inside the circle with diameter ab, or on it? Then some
+ * site is; and if some site on the left of ab is, the apex is, too (page 3.2,
+ * graphs.P1). */
 static bool
 apex_in_diametral_disc(const mesh *m, const point2 *points, halfedge_id ab)
 {
-    vertex_id a = mesh_origin(m, ab), b = mesh_dest(m, ab), c = mesh_apex(m, ab);
-    return mesh_in_triangle(m, ab) && dot_sign(points[a], points[c], points[b]) <= 0;
+    vertex_id a = mesh_origin(m, ab), b = mesh_dest(m, ab),
+              c = mesh_apex(m, ab);
+    return mesh_in_triangle(m, ab) &&
+           dot_sign(points[a], points[c], points[b]) <= 0;
 }
 
 tri_status
@@ -54,14 +58,15 @@ gabriel_graph(const mesh *m, const point2 *points, edge_list *out)
 static bool
 in_lune(const mesh *m, const point2 *points, halfedge_id e, vertex_id z)
 {
-    point2 a = points[mesh_origin(m, e)], b = points[mesh_dest(m, e)], p = points[z];
+    point2 a = points[mesh_origin(m, e)], b = points[mesh_dest(m, e)],
+           p = points[z];
     return compare_distance(a, p, a, b) < 0 && compare_distance(b, p, a, b) < 0;
 }
 
-/* An elimination path: a site z on the left of e, with e in its way, can be in the
- * lune of one edge behind e only, the longer one of the triangle on the right of e
- * (page 3.2, P10). The half-edge along it that has z on its left; NONE when there is
- * no longer one. */
+/* An elimination path: a site z on the left of e, with e in its way, can be in
+ * the lune of one edge behind e only, the longer one of the triangle on the
+ * right of e (page 3.2, graphs.P3). The half-edge along it that has z on its
+ * left; NONE when there is no longer one. */
 static halfedge_id
 next_on_path(const mesh *m, const point2 *points, halfedge_id e)
 {
@@ -73,10 +78,11 @@ next_on_path(const mesh *m, const point2 *points, halfedge_id e)
     return order == 0 ? NONE : order > 0 ? f : g;
 }
 
-/* ahead[e] is e while nobody has eliminated e, and afterwards a half-edge that comes
- * later on every elimination path through e, such that nothing is left to eliminate
- * between the two; or NONE. The first one from e on that is not eliminated, or NONE;
- * the way there becomes shorter, as in `component` of emst.c. */
+/* ahead[e] is e while nobody has eliminated e, and afterwards a half-edge that
+ * comes later on every elimination path through e, such that nothing is left to
+ * eliminate between the two; or NONE. The first one from e on that is not
+ * eliminated, or NONE; the way there becomes shorter, as in `component` of
+ * emst.c. */
 static halfedge_id
 first_ahead(halfedge_id *ahead, halfedge_id e)
 {
@@ -89,8 +95,8 @@ first_ahead(halfedge_id *ahead, halfedge_id e)
     return e;
 }
 
-/* Takes e out of the paths. If nothing but e is left on a path that comes back to e,
- * the path ends here. */
+/* Takes e out of the paths. If nothing but e is left on a path that comes back
+ * to e, the path ends here. */
 static void
 eliminate_halfedge(const mesh *m, const point2 *points, halfedge_id *ahead,
                    halfedge_id e)
@@ -99,11 +105,11 @@ eliminate_halfedge(const mesh *m, const point2 *points, halfedge_id *ahead,
     ahead[e] = next == e ? NONE : next;
 }
 
-/* Eliminates what the site z, on the left of e, eliminates beginning at e. Each test
- * of a lune removes an edge for ever or is the last one. */
+/* Eliminates what the site z, on the left of e, eliminates beginning at e. Each
+ * test of a lune removes an edge for ever or is the last one. */
 static void
-follow_path(const mesh *m, const point2 *points, halfedge_id *ahead, halfedge_id e,
-            vertex_id z)
+follow_path(const mesh *m, const point2 *points, halfedge_id *ahead,
+            halfedge_id e, vertex_id z)
 {
     for (;;) {
         e = first_ahead(ahead, e);
@@ -115,7 +121,8 @@ follow_path(const mesh *m, const point2 *points, halfedge_id *ahead, halfedge_id
 }
 
 tri_status
-relative_neighbourhood_graph(const mesh *m, const point2 *points, edge_list *out)
+relative_neighbourhood_graph(const mesh *m, const point2 *points,
+                             edge_list *out)
 {
     *out = (edge_list){0};
     bool *chosen = memory_array(mesh_halfedges(m), sizeof *chosen);
@@ -138,7 +145,8 @@ relative_neighbourhood_graph(const mesh *m, const point2 *points, edge_list *out
 
 /* ---- The graph of the nearest neighbours. ---- */
 
-/* nearest[v] becomes one of the shortest half-edges that leave v; NONE without any. */
+/* nearest[v] becomes one of the shortest half-edges that leave v; NONE without
+ * any. */
 static void
 find_nearest(const mesh *m, const point2 *points, halfedge_id *nearest)
 {
@@ -163,8 +171,8 @@ nearest_neighbour_graph(const mesh *m, const point2 *points, edge_list *out)
         find_nearest(m, points, nearest);
         for (halfedge_id e = 0; e < mesh_halfedges(m); e++) {
             vertex_id v = mesh_origin(m, e);
-            chosen[e] =
-                is_edge(m, e) && compare_halfedges(m, points, e, nearest[v]) == 0;
+            chosen[e] = is_edge(m, e) &&
+                        compare_halfedges(m, points, e, nearest[v]) == 0;
         }
         status = mesh_edges(m, chosen, out);
     }

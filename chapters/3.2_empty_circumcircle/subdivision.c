@@ -1,4 +1,4 @@
-/* subdivision.c - the Delaunay subdivision, read off any Delaunay triangulation. */
+/* subdivision.c - the Delaunay subdivision, from a Delaunay triangulation. */
 #include "chapters/3.2_empty_circumcircle/empty_circle.h"
 
 #include "chapters/3.4_primitives/predicates.h"
@@ -13,8 +13,8 @@ typedef struct cell_walk {
     bool *visited; /* half-edge -> has its cell been listed? */
 } cell_walk;
 
-/* Is ab the side of a cell: on the hull, or between two triangles with different
- * circles? Then the circle through a, b, c does not pass through d. */
+/* Is ab the side of a cell: on the hull, or between two triangles with
+ * different circles? Then d is not on the circle of a, b, c. */
 static bool
 separates_cells(const mesh *m, const point2 *points, halfedge_id ab)
 {
@@ -36,8 +36,8 @@ find_sides(cell_walk *w, const point2 *points)
     }
 }
 
-/* The next side of the same cell: after an edge inside the cell, which is none, the
- * walk goes on behind it. */
+/* The next side of the same cell: after an edge inside the cell, which is none,
+ * the walk goes on behind it. */
 static halfedge_id
 next_side(const cell_walk *w, halfedge_id e)
 {
@@ -66,8 +66,8 @@ list_cell(cell_walk *w, halfedge_id e, subdivision *s)
     s->first[++s->cells] = end;
 }
 
-/* Of the half-edges that leave v along sides of cells that are not listed yet, the
- * one with the lowest end; NONE when there is none. */
+/* Of the half-edges that leave v along sides of cells that are not listed yet,
+ * the one with the lowest end; NONE when there is none. */
 static halfedge_id
 lowest_beginning(const cell_walk *w, vertex_id v)
 {
@@ -83,8 +83,8 @@ lowest_beginning(const cell_walk *w, vertex_id v)
     return lowest;
 }
 
-/* The cells at v that are not listed yet have no corner below v: each cell is found
- * at its lowest corner. */
+/* The cells at v that are not listed yet have no corner below v: each cell is
+ * found at its lowest corner. */
 static void
 list_cells_at(cell_walk *w, vertex_id v, subdivision *s)
 {
@@ -105,7 +105,8 @@ delaunay_subdivision(const mesh *m, const point2 *points, subdivision *out)
     *out = (subdivision){0};
     out->first = memory_array((size_t)m->triangles + 1, sizeof *out->first);
     out->vertex = memory_array(halfedges, sizeof *out->vertex);
-    cell_walk w = {.m = m, .side = memory_array(halfedges, sizeof *w.side),
+    cell_walk w = {.m = m,
+                   .side = memory_array(halfedges, sizeof *w.side),
                    .visited = memory_array(halfedges, sizeof *w.visited)};
     tri_status status = TRI_OUT_OF_MEMORY;
     if (out->first != NULL && out->vertex != NULL && w.side != NULL &&
@@ -131,7 +132,8 @@ subdivisions_are_equal(const subdivision *s, const subdivision *t)
     for (uint32_t i = 0; i < s->cells; i++)
         if (s->first[i + 1] != t->first[i + 1])
             return false;
-    return memcmp(s->vertex, t->vertex, s->first[s->cells] * sizeof *s->vertex) == 0;
+    return memcmp(s->vertex, t->vertex,
+                  s->first[s->cells] * sizeof *s->vertex) == 0;
 }
 
 void

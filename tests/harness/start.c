@@ -3,6 +3,7 @@
 
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "chapters/contents.h"
 
 #include <stdlib.h>
 
@@ -33,6 +34,30 @@ random_triangulation(const point2 *points, uint32_t n, mesh *out)
         halfedge_id e = random_below(r, mesh_halfedges(out));
         if (is_flippable(out, points, e))
             flip(out, e);
+    }
+}
+
+/* An edge that has been flipped and is locally Delaunay afterwards was so before, too:
+ * its four sites are cocircular. */
+void
+random_delaunay(const point2 *points, uint32_t n, mesh *out)
+{
+    random_source *r = test_random_source();
+    const algorithm *a = &contents[random_below(r, contents_count)];
+    while (!a->delaunay || n > a->most)
+        a = &contents[random_below(r, contents_count)];
+    tri_status status = a->triangulate(points, n, NULL, out);
+    CLAIM("def8.P5", status == TRI_OK, "%s: %s", a->name, tri_status_text(status));
+    if (out->triangles == 0)
+        return;
+    for (uint32_t tries = random_below(r, 4 * n); tries > 0; tries--) {
+        halfedge_id e = random_below(r, mesh_halfedges(out));
+        if (!is_flippable(out, points, e))
+            continue;
+        flip(out, e);
+        if (!is_locally_delaunay(out, points, e)) /* four flips restore everything */
+            for (int back = 0; back < 3; back++)
+                flip(out, e);
     }
 }
 

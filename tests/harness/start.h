@@ -12,6 +12,10 @@ point2 random_direction(void);
  * flips, of which any number may be none. Fails the trial when there is no memory. */
 void random_triangulation(const point2 *points, uint32_t n, mesh *out);
 
+/* Some Delaunay triangulation of the points: by one of the algorithms, and then with
+ * other diagonals wherever cocircular sites leave a choice. */
+void random_delaunay(const point2 *points, uint32_t n, mesh *out);
+
 /* n points with whole coordinates 0 .. most, few of them or as many as n: small
  * enough to compute with them exactly in a test. They replace the drawn ones, so
  * that the trial's size and seed still decide. The caller frees them. */
