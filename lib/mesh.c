@@ -44,24 +44,6 @@ mesh_free(mesh *m)
     *m = (mesh){0};
 }
 
-static void
-set_origin(mesh *m, halfedge_id e, vertex_id v)
-{
-    m->halfedge[e].origin = v;
-    if (v == GHOST)
-        m->ghost_leaving = e;
-    else
-        m->leaving[v] = e;
-}
-
-void
-mesh_set_triangle(mesh *m, halfedge_id e, vertex_id a, vertex_id b, vertex_id c)
-{
-    set_origin(m, e, a);
-    set_origin(m, mesh_next(e), b);
-    set_origin(m, mesh_prev(e), c);
-}
-
 halfedge_id
 mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c)
 {
@@ -70,13 +52,6 @@ mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c)
     m->triangles++;
     mesh_set_triangle(m, ab, a, b, c);
     return ab;
-}
-
-void
-mesh_link(mesh *m, halfedge_id e, halfedge_id f)
-{
-    m->halfedge[e].twin = f;
-    m->halfedge[f].twin = e;
 }
 
 halfedge_id
@@ -116,7 +91,7 @@ void
 mesh_cover(mesh *m, halfedge_id e, vertex_id p)
 {
     assert(mesh_is_hull_edge(m, e));
-    set_origin(m, mesh_prev(mesh_twin(m, e)), p);
+    mesh_set_origin(m, mesh_prev(mesh_twin(m, e)), p);
 }
 
 halfedge_id

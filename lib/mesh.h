@@ -203,11 +203,33 @@ void mesh_free(mesh *m);
  * sides are not linked yet. Requires: room. */
 halfedge_id mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c);
 
+/* From now on e leaves v. */
+static inline void
+mesh_set_origin(mesh *m, halfedge_id e, vertex_id v)
+{
+    m->halfedge[e].origin = v;
+    if (v == GHOST)
+        m->ghost_leaving = e;
+    else
+        m->leaving[v] = e;
+}
+
 /* The triangle of e becomes abc, with e leading from a to b. */
-void mesh_set_triangle(mesh *m, halfedge_id e, vertex_id a, vertex_id b, vertex_id c);
+static inline void
+mesh_set_triangle(mesh *m, halfedge_id e, vertex_id a, vertex_id b, vertex_id c)
+{
+    mesh_set_origin(m, e, a);
+    mesh_set_origin(m, mesh_next(e), b);
+    mesh_set_origin(m, mesh_prev(e), c);
+}
 
 /* e and f become twins. */
-void mesh_link(mesh *m, halfedge_id e, halfedge_id f);
+static inline void
+mesh_link(mesh *m, halfedge_id e, halfedge_id f)
+{
+    m->halfedge[e].twin = f;
+    m->halfedge[f].twin = e;
+}
 
 /* An edge of its own: a path from a to b, with the outside on both sides of it.
  * Returns the half-edge from a to b. Requires: room. */

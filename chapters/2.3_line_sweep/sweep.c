@@ -25,22 +25,16 @@ merge_runs(const site *from, site *to, size_t lo, size_t mid, size_t hi, point2 
     }
 }
 
-/* Sorts a[0..n) by runs of 1, 2, 4, ...; b has the same size. Returns the one of
- * the two arrays that holds the result. */
-static site *
-merge_sort(site *a, site *b, size_t n, point2 d)
+/* Sorts a[lo,hi). Both arrays hold the points before; b's part is used up. */
+static void
+merge_sort(site *a, site *b, size_t lo, size_t hi, point2 d)
 {
-    for (size_t run = 1; run < n; run *= 2) {
-        for (size_t lo = 0; lo < n; lo += 2 * run) {
-            size_t mid = lo + run < n ? lo + run : n;
-            size_t hi = mid + run < n ? mid + run : n;
-            merge_runs(a, b, lo, mid, hi, d);
-        }
-        site *sorted = b;
-        b = a;
-        a = sorted;
-    }
-    return a;
+    if (hi - lo < 2)
+        return;
+    size_t mid = lo + (hi - lo) / 2;
+    merge_sort(b, a, lo, mid, d);
+    merge_sort(b, a, mid, hi, d);
+    merge_runs(b, a, lo, mid, hi, d);
 }
 
 tri_status
@@ -48,19 +42,20 @@ sort_along(const point2 *points, uint32_t n, point2 d, vertex_id *order,
            uint32_t *locations)
 {
     *locations = 0;
-    site *both = memory_array(n, 2 * sizeof *both);
-    if (both == NULL)
+    site *sorted = memory_array(n, 2 * sizeof *sorted);
+    if (sorted == NULL)
         return TRI_OUT_OF_MEMORY;
+    site *spare = sorted + n;
     for (vertex_id v = 0; v < n; v++)
-        both[v] = (site){points[v], v};
+        sorted[v] = spare[v] = (site){points[v], v};
 
-    const site *sorted = merge_sort(both, both + n, n, d);
+    merge_sort(sorted, spare, 0, n, d);
     for (uint32_t i = 0; i < n; i++) {
         bool repeated = i > 0 && compare_along(d, sorted[i - 1].at, sorted[i].at) == 0;
         if (!repeated)
             order[(*locations)++] = sorted[i].id;
     }
-    memory_free(both);
+    memory_free(sorted);
     return TRI_OK;
 }
 
