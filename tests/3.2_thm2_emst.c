@@ -372,6 +372,11 @@ what_is_no_tree_is_refuted(const point2 *points, uint32_t n)
     tree.count--;
     CLAIM("thm2.P6", !judge(&m, points, tree).holds, "u-2 edges are a tree");
     tree.count++;
+    edge_list all;
+    CLAIM("thm2.P6", mesh_edges(&m, NULL, &all) == TRI_OK, "out of memory");
+    CLAIM("thm2.P6", judge(&m, points, all).holds == (all.count < m.locations),
+          "%u edges between %u locations are a tree", all.count, m.locations);
+    edge_list_free(&all);
     tree.ends[i][0] = tree.ends[j][1];
     tree.ends[i][1] = tree.ends[j][0];
     CLAIM("thm2.P6", !judge(&m, points, tree).holds,

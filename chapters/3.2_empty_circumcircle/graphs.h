@@ -48,12 +48,12 @@ tri_status emst(const mesh *m, const point2 *points, edge_list *out);
 
 /* Is the list a Euclidean minimum spanning tree of the points?
  *
- * Holds exactly when it has u-1 edges between vertices of *m, no cycle, and no
- * edge of *m is shorter than the longest edge on the way between its ends in
- * the tree (page 3.2, thm2.P6: that is enough).
+ * Holds exactly when it has u-1 edges between vertices of *m, and the ends of
+ * each edge of *m are connected by edges of the list that are not longer (page
+ * 3.2, thm2.P6: that is enough).
  * Requires: *m is a Delaunay triangulation of the points (is_delaunay, 3.5).
- * Refuted: the ends of an edge of the list that is wrong, or of an edge of *m
- * that is too short.
+ * Refuted: the ends of a wrong edge of the list, or of an edge of *m whose ends
+ * are not so connected.
  * Cost: O(n log n). TRI_OUT_OF_MEMORY: *out says nothing.
  */
 tri_status is_emst(const mesh *m, const point2 *points, edge_list tree,
