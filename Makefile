@@ -15,7 +15,7 @@ endif
 $(V).SILENT:
 SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),:,echo)
 
-CFLAGS   ?= -O2 -g
+CFLAGS   ?= -O3 -g
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
 BUILD    ?= build
 # Programs and tests are POSIX; the library is plain C11 and does not need the macro.
