@@ -19,6 +19,7 @@ extern "C" {
 #include "chapters/3.3_lifting_map/lifting.h"
 #include "chapters/3.3_lifting_map/lower_hull.h"
 #include "chapters/3.4_primitives/predicates.h"
+#include "chapters/3.5_edge_flips/flip_graph.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/3.6_randomized_incremental/biased_order.h"
 #include "chapters/3.6_randomized_incremental/incremental.h"

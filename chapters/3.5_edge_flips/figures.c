@@ -3,6 +3,7 @@
  */
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.4_primitives/predicates.h"
+#include "chapters/3.5_edge_flips/flip_picture.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/figures.h"
 #include "lib/random.h"
@@ -523,6 +524,33 @@ draw_many(FILE *file)
     svg_end(&page);
 }
 
+/* ---- Flip graphs. ---- */
+
+static void
+draw_graph_of(FILE *file, const point2 *points, uint32_t n, const char *title)
+{
+    flip_graph g;
+    must(flip_graph_build(points, n, NULL, &g), title);
+    flip_graph_draw(&g, points, file, title);
+    flip_graph_free(&g);
+}
+
+static void
+draw_hexagon(FILE *file)
+{
+    const point2 points[] = {{10, 0}, {5, 9}, {-5, 8}, {-10, 0}, {-4, -9}, {5, -8}};
+    draw_graph_of(file, points, 6, "The flip graph of a convex hexagon");
+}
+
+static void
+draw_grid(FILE *file)
+{
+    point2 points[9];
+    for (int i = 0; i < 9; i++)
+        points[i] = (point2){i % 3, i / 3};
+    draw_graph_of(file, points, 9, "The flip graph of the 3x3 grid");
+}
+
 static const figure figures[] = {
     {"fig9_locally_delaunay", draw_definition},
     {"flip", draw_flip},
@@ -532,6 +560,8 @@ static const figure figures[] = {
     {"nothing_flippable", draw_not_flippable},
     {"local_not_global", draw_local_only},
     {"before_after_200", draw_many},
+    {"flip_graph_hexagon", draw_hexagon},
+    {"flip_graph_grid", draw_grid},
 };
 
 int

@@ -32,6 +32,22 @@ const command commands[] = {
      "  --per-triangle     a vertex for each triangle of OUT.ele, and an edge for\n"
      "                     each of OUT.edge, perhaps of length 0\n"
      "  --svg FILE         a picture\n"},
+    {"flipgraph", command_flipgraph, "[--svg FILE] IN",
+     "All triangulations of the points of IN (at most 64 points, and a million\n"
+     "triangulations), and the flips between them: how many there are, how far apart\n"
+     "two can be (up to 50,000 triangulations; beyond that, a bound), how many are\n"
+     "Delaunay.\n"
+     "  --svg FILE         a picture of at most 64 triangulations\n"},
+    {"emst", command_graph, "[-o OUT.edge] IN",
+     "A shortest tree that connects the points of IN, shortest edges first.\n"},
+    {"gabriel", command_graph, "[-o OUT.edge] IN",
+     "The Gabriel graph: edges with no other point in the disc, or on the circle,\n"
+     "of which they are the diameter.\n"},
+    {"rng", command_graph, "[-o OUT.edge] IN",
+     "The relative neighbourhood graph: edges such that no point is nearer to both\n"
+     "ends than these are to each other.\n"},
+    {"nng", command_graph, "[-o OUT.edge] IN",
+     "The edges from each point to its nearest one; of several, to all of them.\n"},
     {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
      "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"},
     {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",

@@ -31,6 +31,8 @@ int command_triangulate(int argc, char **argv);
 int command_check(int argc, char **argv);
 int command_hull(int argc, char **argv);
 int command_voronoi(int argc, char **argv);
+int command_flipgraph(int argc, char **argv);
+int command_graph(int argc, char **argv); /* emst, gabriel, rng, nng */
 int command_generate(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_help(int argc, char **argv);
@@ -87,8 +89,10 @@ void flush_output(const output *o, const char *path);
 void write_picture(const char *path, const char *title,
                    const text_points *points, triangle_list list);
 
-/* Says on standard error how many points repeat a location, and why there are
- * no triangles if there are none. */
+/* Says on standard error how many points repeat a location. */
+void note_copies(uint32_t points, uint32_t locations);
+
+/* The same, and why there are no triangles if there are none. */
 void note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles);
 
 /* What tri triangulate runs when nothing is said: the last row of the table of
