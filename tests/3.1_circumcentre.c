@@ -1,5 +1,5 @@
-/* Section 3.1: the coordinates of a Voronoi vertex are the exact quotients, rounded
- * once to the nearest double.
+/* Section 3.1: the coordinates of a Voronoi vertex are the exact quotients,
+ * rounded once to the nearest double.
  *
  * Hypotheses: the three sites are not collinear; nothing else.
  */
@@ -43,15 +43,16 @@ sum3(big a, big b, big c)
     return big_add(&sum, &c);
 }
 
-/* The sign of x - (p+q)/2 for the x coordinate of the centre: that of (N - (p+q) O) O,
- * everything in a common unit. */
+/* The sign of x - (p+q)/2 for the x coordinate of the centre: that of (N -
+ * (p+q) O) O, everything in a common unit. */
 static int
 centre_against(const point2 t[3], double p, double q)
 {
     int unit = smaller_unit(p, smaller_unit(q, 1024));
     for (int i = 0; i < 3; i++)
         unit = smaller_unit(t[i].x, smaller_unit(t[i].y, unit));
-    big at[3][2], bound_p = big_from_double(p, unit), bound_q = big_from_double(q, unit);
+    big at[3][2], bound_p = big_from_double(p, unit),
+                  bound_q = big_from_double(q, unit);
     for (int i = 0; i < 3; i++) {
         at[i][0] = big_from_double(t[i].x, unit);
         at[i][1] = big_from_double(t[i].y, unit);
@@ -73,8 +74,8 @@ is_even(double x)
     return bits % 2 == 0;
 }
 
-/* x is the nearest double: not beyond the middle to either neighbour, and in the middle
- * only if x is even. */
+/* x is the nearest double: not beyond the middle to either neighbour, and in
+ * the middle only if x is even. */
 static void
 check_nearest(const point2 t[3], double x)
 {
@@ -82,11 +83,13 @@ check_nearest(const point2 t[3], double x)
     CLAIM("sec3.1.P13", isfinite(x), "%g", x);
     if (isfinite(below)) {
         int side = centre_against(t, below, x);
-        CLAIM("sec3.1.P13", side > 0 || (side == 0 && is_even(x)), "%.17g is too large", x);
+        CLAIM("sec3.1.P13", side > 0 || (side == 0 && is_even(x)),
+              "%.17g is too large", x);
     }
     if (isfinite(above)) {
         int side = centre_against(t, x, above);
-        CLAIM("sec3.1.P13", side < 0 || (side == 0 && is_even(x)), "%.17g is too small", x);
+        CLAIM("sec3.1.P13", side < 0 || (side == 0 && is_even(x)),
+              "%.17g is too small", x);
     }
 }
 
@@ -103,14 +106,15 @@ centres_are_rounded_once(const point2 *points, uint32_t n)
 {
     for (uint32_t i = 0; i + 2 < n; i++) {
         const point2 *t = points + i;
-        const point2 mirrored[3] = {{t[0].y, t[0].x}, {t[1].y, t[1].x}, {t[2].y, t[2].x}};
+        const point2 mirrored[3] = {
+            {t[0].y, t[0].x}, {t[1].y, t[1].x}, {t[2].y, t[2].x}};
         point2 centre;
         if (oracle_orient2d(t[0], t[1], t[2]) == 0)
             continue;
         tri_status status = circumcentre(t[0], t[1], t[2], &centre);
         bool beyond = out_of_range(t) || out_of_range(mirrored);
-        CLAIM("sec3.1.P13", status == (beyond ? TRI_OUT_OF_RANGE : TRI_OK), "%s",
-              tri_status_text(status));
+        CLAIM("sec3.1.P13", status == (beyond ? TRI_OUT_OF_RANGE : TRI_OK),
+              "%s", tri_status_text(status));
         if (status != TRI_OK) {
             CLAIM("sec3.1.P13", centre.x == 0 && centre.y == 0, "not zeroed");
             continue;
@@ -129,15 +133,19 @@ known_centres(void)
         {{{0, 0}, {2, 0}, {0, 2}}, {1, 1}},
         {{{5, 0}, {3, 4}, {-4, 3}}, {0, 0}},
         {{{0, 0}, {1, 0}, {0, 3}}, {0.5, 1.5}},
-        {{{0, 0}, {0x1p-1074, 0}, {0, 1}}, {0, 0.5}}, /* a tie: half the least double */
-        {{{0, 0}, {0x1.8p-1073, 0}, {0, 1}}, {0x1p-1073, 0.5}}, /* the same, rounded up */
+        {{{0, 0}, {0x1p-1074, 0}, {0, 1}},
+         {0, 0.5}}, /* a tie: half the least double */
+        {{{0, 0}, {0x1.8p-1073, 0}, {0, 1}},
+         {0x1p-1073, 0.5}}, /* the same, rounded up */
         {{{0, 0}, {0x1.8p1023, 0}, {0, 0x1p1023}}, {0x1.8p1022, 0x1p1022}},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const point2 *s = known[i].site;
         point2 c;
-        CLAIM("sec3.1.P13", circumcentre(s[0], s[1], s[2], &c) == TRI_OK, "no centre");
-        CLAIM("sec3.1.P13", c.x == known[i].centre.x && c.y == known[i].centre.y,
+        CLAIM("sec3.1.P13", circumcentre(s[0], s[1], s[2], &c) == TRI_OK,
+              "no centre");
+        CLAIM("sec3.1.P13",
+              c.x == known[i].centre.x && c.y == known[i].centre.y,
               "(%.17g,%.17g) for (%.17g,%.17g)", c.x, c.y, known[i].centre.x,
               known[i].centre.y);
     }
@@ -150,7 +158,8 @@ far_centres_are_refused(void)
     const point2 a = {-0x1p600, 0}, b = {0x1p600, 0}, c = {0, 0x1p-200};
     point2 centre = {1, 1};
     tri_status status = circumcentre(a, b, c, &centre);
-    CLAIM("sec3.1.P13", status == TRI_OUT_OF_RANGE, "%s", tri_status_text(status));
+    CLAIM("sec3.1.P13", status == TRI_OUT_OF_RANGE, "%s",
+          tri_status_text(status));
     CLAIM("sec3.1.P13", centre.x == 0 && centre.y == 0, "not zeroed");
 }
 

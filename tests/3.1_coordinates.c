@@ -1,14 +1,16 @@
-/* Section 3.1: two families of local coordinates. A site p with a bounded cell is a
- * weighted mean of the sites around it, with weights proportional to
+/* Section 3.1: two families of local coordinates. A site p with a bounded cell
+ * is a weighted mean of the sites around it, with weights proportional to
  *
- *   l_q / |pq|   (Laplace)   l_q the length of the edge between the cells of p and q
- *   A_q          (Sibson)    A_q the area that p's cell takes from that of q
+ *   l_q / |pq|   (Laplace)   l_q the length of the edge between the cells of p
+ * and q A_q          (Sibson)    A_q the area that p's cell takes from that of
+ * q
  *
- * Hypotheses: the cell of p is bounded. Here the coordinates are small whole numbers,
- * so that all weights are fractions, and the identities hold exactly.
+ * Hypotheses: the cell of p is bounded. Here the coordinates are small whole
+ * numbers, so that all weights are fractions, and the identities hold exactly.
  *
- * The exact areas come another way than those of the library: from a triangulation of
- * the sites without p, by the triangles whose circles p lies in.
+ * The exact areas come another way than those of the library: from a
+ * triangulation of the sites without p, by the triangles whose circles p lies
+ * in.
  */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "chapters/3.4_primitives/predicates.h"
@@ -39,13 +41,15 @@ whole(double x)
 static fraction
 times(fraction a, fraction b)
 {
-    return (fraction){big_multiply(&a.over, &b.over), big_multiply(&a.under, &b.under)};
+    return (fraction){big_multiply(&a.over, &b.over),
+                      big_multiply(&a.under, &b.under)};
 }
 
 static fraction
 over(fraction a, fraction b)
 {
-    return (fraction){big_multiply(&a.over, &b.under), big_multiply(&a.under, &b.over)};
+    return (fraction){big_multiply(&a.over, &b.under),
+                      big_multiply(&a.under, &b.over)};
 }
 
 static bool
@@ -59,7 +63,8 @@ plus(fraction a, fraction b)
 {
     if (equal(&a.under, &b.under))
         return (fraction){big_add(&a.over, &b.over), a.under};
-    big left = big_multiply(&a.over, &b.under), right = big_multiply(&b.over, &a.under);
+    big left = big_multiply(&a.over, &b.under),
+        right = big_multiply(&b.over, &a.under);
     return (fraction){big_add(&left, &right), big_multiply(&a.under, &b.under)};
 }
 
@@ -86,7 +91,8 @@ static double
 rounded(fraction a)
 {
     int e, f;
-    double top = scaled_double(&a.over, &e), bottom = scaled_double(&a.under, &f);
+    double top = scaled_double(&a.over, &e),
+           bottom = scaled_double(&a.under, &f);
     return ldexp(top / bottom, e - f);
 }
 
@@ -96,8 +102,8 @@ typedef struct exact_point {
     fraction x, y;
 } exact_point;
 
-/* The centre of the circle through three points with whole coordinates up to MOST:
- * all of its numbers are far below 2^53. */
+/* The centre of the circle through three points with whole coordinates up to
+ * MOST: all of its numbers are far below 2^53. */
 static exact_point
 centre(point2 a, point2 b, point2 c)
 {
@@ -106,7 +112,8 @@ centre(point2 a, point2 b, point2 c)
     double O = (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
     double x = al * (b.y - c.y) + bl * (c.y - a.y) + cl * (a.y - b.y);
     double y = al * (c.x - b.x) + bl * (a.x - c.x) + cl * (b.x - a.x);
-    return (exact_point){over(whole(x), whole(2 * O)), over(whole(y), whole(2 * O))};
+    return (exact_point){over(whole(x), whole(2 * O)),
+                         over(whole(y), whole(2 * O))};
 }
 
 /* a x b */
@@ -132,7 +139,8 @@ cell_of(const voronoi *d, vertex_id p)
     return c;
 }
 
-/* Claims that the sum of w_q (q - p) is 0 and that the library's weights are those. */
+/* Claims that the sum of w_q (q - p) is 0 and that the library's weights are
+ * those. */
 static void
 check_weights(const char *name, const point2 *points, vertex_id p, cell c,
               const fraction *weight, const double *given)
@@ -146,19 +154,21 @@ check_weights(const char *name, const point2 *points, vertex_id p, cell c,
         y = plus(y, times(weight[i], whole(q.y - points[p].y)));
         sum = plus(sum, weight[i]);
     }
-    CLAIM(name, x.over.sign == 0 && y.over.sign == 0, "site %u: the sum is (%g,%g)", p,
-          rounded(x), rounded(y));
+    CLAIM(name, x.over.sign == 0 && y.over.sign == 0,
+          "site %u: the sum is (%g,%g)", p, rounded(x), rounded(y));
     for (uint32_t i = 0; i < c.size; i++) {
         double exact = rounded(over(weight[i], sum));
-        CLAIM(name, fabs(given[i] - exact) < 1e-12, "site %u: the weight of %u is %.17g, "
-              "and not %.17g", p, c.beyond[i], exact, given[i]);
+        CLAIM(name, fabs(given[i] - exact) < 1e-12,
+              "site %u: the weight of %u is %.17g, "
+              "and not %.17g",
+              p, c.beyond[i], exact, given[i]);
     }
 }
 
 /* ---- Laplace. ---- */
 
-/* An edge runs at a right angle to q - p, so its vector times (q-p) turned left, divided
- * by |pq|^2, is its length by |pq|. */
+/* An edge runs at a right angle to q - p, so its vector times (q-p) turned
+ * left, divided by |pq|^2, is its length by |pq|. */
 static void
 check_laplace(const point2 *points, const voronoi *d, vertex_id p)
 {
@@ -169,13 +179,15 @@ check_laplace(const point2 *points, const voronoi *d, vertex_id p)
         vertex_id before = c.beyond[(i + c.size - 1) % c.size];
         vertex_id after = c.beyond[(i + 1) % c.size];
         point2 at = points[p], q = points[c.beyond[i]];
-        exact_point begin = centre(at, points[before], q), end = centre(at, q, points[after]);
+        exact_point begin = centre(at, points[before], q),
+                    end = centre(at, q, points[after]);
         double dx = q.x - at.x, dy = q.y - at.y;
         fraction along = plus(times(minus(end.x, begin.x), whole(-dy)),
                               times(minus(end.y, begin.y), whole(dx)));
         weight[i] = over(along, whole(dx * dx + dy * dy));
     }
-    CLAIM("sec3.1.P15", laplace_coordinates(d, points, p, given) == TRI_OK, "no weights");
+    CLAIM("sec3.1.P15", laplace_coordinates(d, points, p, given) == TRI_OK,
+          "no weights");
     check_weights("sec3.1.P15", points, p, c, weight, given);
 }
 
@@ -189,8 +201,9 @@ has_inside(const mesh *m, const point2 *points, halfedge_id e, point2 x)
                     points[mesh_apex(m, e)], x) > 0;
 }
 
-/* Twice the area that p takes from q: of the polygon from where the edge between them
- * ends, over the vertices that lie in p's cell, around q, to where it begins. */
+/* Twice the area that p takes from q: of the polygon from where the edge
+ * between them ends, over the vertices that lie in p's cell, around q, to where
+ * it begins. */
 static fraction
 twice_taken(const mesh *without, const point2 *points, point2 p, vertex_id q,
             exact_point begin, exact_point end)
@@ -223,12 +236,14 @@ check_sibson(const point2 *points, uint32_t n, const voronoi *d, vertex_id p)
     fraction weight[64], whole_cell = whole(0), taken = whole(0);
     double given[64];
     mesh without;
-    point2 *others = malloc(n * sizeof *others); /* p becomes a copy of a neighbour */
+    point2 *others =
+        malloc(n * sizeof *others); /* p becomes a copy of a neighbour */
     memcpy(others, points, n * sizeof *others);
     for (vertex_id i = 0; i < n; i++)
         if (points[i].x == points[p].x && points[i].y == points[p].y)
             others[i] = points[c.beyond[0]];
-    CLAIM("sec3.1.P16", lawson_triangulate(others, n, NULL, &without) == TRI_OK, "no mesh");
+    CLAIM("sec3.1.P16", lawson_triangulate(others, n, NULL, &without) == TRI_OK,
+          "no mesh");
     for (uint32_t i = 0; i < c.size; i++) {
         vertex_id before = c.beyond[(i + c.size - 1) % c.size], q = c.beyond[i];
         vertex_id after = c.beyond[(i + 1) % c.size], name = q;
@@ -242,23 +257,27 @@ check_sibson(const point2 *points, uint32_t n, const voronoi *d, vertex_id p)
     }
     mesh_free(&without);
     free(others);
-    CLAIM("sec3.1.P16", minus(taken, whole_cell).over.sign == 0, "the areas taken are %g of "
-          "%g", rounded(taken), rounded(whole_cell));
-    CLAIM("sec3.1.P16", sibson_coordinates(d, points, p, given) == TRI_OK, "no weights");
+    CLAIM("sec3.1.P16", minus(taken, whole_cell).over.sign == 0,
+          "the areas taken are %g of "
+          "%g",
+          rounded(taken), rounded(whole_cell));
+    CLAIM("sec3.1.P16", sibson_coordinates(d, points, p, given) == TRI_OK,
+          "no weights");
     check_weights("sec3.1.P16", points, p, c, weight, given);
 }
 
 /* ---- The statements. ---- */
 
-/* Whole points, and each site among them that has a bounded cell, but for those with
- * more neighbours than the fractions have digits for. */
+/* Whole points, and each site among them that has a bounded cell, but for those
+ * with more neighbours than the fractions have digits for. */
 static void
 each_bounded_site(uint32_t n, bool sibson)
 {
     point2 *points = whole_points(n, MOST);
     mesh m;
     voronoi d;
-    CLAIM("sec3.1.P15", lawson_triangulate(points, n, NULL, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.1.P15", lawson_triangulate(points, n, NULL, &m) == TRI_OK,
+          "no mesh");
     CLAIM("sec3.1.P15", voronoi_dual(&m, points, &d) == TRI_OK, "no diagram");
     for (vertex_id p = 0; p < n; p++) {
         if (!voronoi_is_bounded(&d, p) || cell_of(&d, p).size > 8)
@@ -295,18 +314,23 @@ known_weights(void)
     mesh m;
     voronoi d;
     double w[4];
-    CLAIM("sec3.1.P15", lawson_triangulate(square, 5, NULL, &m) == TRI_OK &&
-          voronoi_dual(&m, square, &d) == TRI_OK, "no diagram");
-    CLAIM("sec3.1.P15", laplace_coordinates(&d, square, 0, w) == TRI_OK, "no weights");
+    CLAIM("sec3.1.P15",
+          lawson_triangulate(square, 5, NULL, &m) == TRI_OK &&
+              voronoi_dual(&m, square, &d) == TRI_OK,
+          "no diagram");
+    CLAIM("sec3.1.P15", laplace_coordinates(&d, square, 0, w) == TRI_OK,
+          "no weights");
     for (int i = 0; i < 4; i++)
         CLAIM("sec3.1.P15", w[i] == 0.25, "weight %d is %g", i, w[i]);
-    CLAIM("sec3.1.P16", sibson_coordinates(&d, square, 0, w) == TRI_OK, "no weights");
+    CLAIM("sec3.1.P16", sibson_coordinates(&d, square, 0, w) == TRI_OK,
+          "no weights");
     for (int i = 0; i < 4; i++)
         CLAIM("sec3.1.P16", w[i] == 0.25, "weight %d is %g", i, w[i]);
     memory_fail_at(1);
     tri_status status = sibson_coordinates(&d, square, 0, w);
     memory_fail_at(0);
-    CLAIM("sec3.1.P16", status == TRI_OUT_OF_MEMORY, "%s", tri_status_text(status));
+    CLAIM("sec3.1.P16", status == TRI_OUT_OF_MEMORY, "%s",
+          tri_status_text(status));
     voronoi_free(&d);
     mesh_free(&m);
 }
@@ -322,10 +346,13 @@ weights_out_of_range_are_refused(void)
         mesh m;
         voronoi d;
         double w[4];
-        CLAIM("sec3.1.P16", lawson_triangulate(points, 5, NULL, &m) == TRI_OK &&
-              voronoi_dual(&m, points, &d) == TRI_OK, "no diagram");
+        CLAIM("sec3.1.P16",
+              lawson_triangulate(points, 5, NULL, &m) == TRI_OK &&
+                  voronoi_dual(&m, points, &d) == TRI_OK,
+              "no diagram");
         tri_status status = sibson_coordinates(&d, points, 0, w);
-        CLAIM("sec3.1.P16", status == TRI_OUT_OF_RANGE, "%s", tri_status_text(status));
+        CLAIM("sec3.1.P16", status == TRI_OUT_OF_RANGE, "%s",
+              tri_status_text(status));
         voronoi_free(&d);
         mesh_free(&m);
     }
@@ -339,5 +366,6 @@ main(int argc, char **argv)
     test_random("Sibson", sibson_coordinates_reproduce_the_site, 1500, 20);
     test_run("known weights", known_weights);
     test_run("out of range", weights_out_of_range_are_refused);
-    return test_end((test_minima){.trials = 3000, .largest_n = 15, .zeros = 1000});
+    return test_end(
+        (test_minima){.trials = 3000, .largest_n = 15, .zeros = 1000});
 }

@@ -1,7 +1,8 @@
-/* Section 3.1: walking over the Delaunay triangulation finds a site nearest to x.
+/* Section 3.1: walking over the Delaunay triangulation finds a site nearest to
+ * x.
  *
- * Hypotheses: there is a site. x may be a site, lie on an edge of the diagram or be a
- * vertex of it, and be as far away as doubles reach.
+ * Hypotheses: there is a site. x may be a site, lie on an edge of the diagram
+ * or be a vertex of it, and be as far away as doubles reach.
  */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "chapters/3.5_edge_flips/flips.h"
@@ -10,12 +11,14 @@
 
 #include <float.h>
 
-/* A question: a site, halfway between two, a vertex, near the sites, or far away. */
+/* A question: a site, halfway between two, a vertex, near the sites, or far
+ * away. */
 static point2
 some_question(const point2 *points, uint32_t n)
 {
     random_source *source = test_random_source();
-    point2 p = points[random_below(source, n)], q = points[random_below(source, n)];
+    point2 p = points[random_below(source, n)],
+           q = points[random_below(source, n)];
     point2 r = points[random_below(source, n)], x;
     switch (random_below(source, 5)) {
     case 0:
@@ -23,7 +26,8 @@ some_question(const point2 *points, uint32_t n)
     case 1:
         return (point2){p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
     case 2:
-        if (oracle_orient2d(p, q, r) != 0 && circumcentre(p, q, r, &x) == TRI_OK)
+        if (oracle_orient2d(p, q, r) != 0 &&
+            circumcentre(p, q, r, &x) == TRI_OK)
             return x;
         return q;
     case 3:
@@ -38,7 +42,8 @@ the_walk_ends_at_a_nearest_site(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n >= 1);
     mesh m;
-    CLAIM("sec3.1.P14", lawson_triangulate(points, n, NULL, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.1.P14", lawson_triangulate(points, n, NULL, &m) == TRI_OK,
+          "no mesh");
     vertex_id start = random_below(test_random_source(), n);
     while (m.locations > 1 && mesh_leaving(&m, start) == NONE)
         start = (start + 1) % n;
@@ -47,7 +52,8 @@ the_walk_ends_at_a_nearest_site(const point2 *points, uint32_t n)
         uint32_t visited;
         vertex_id found = nearest_site(&m, points, x, start, &visited);
         for (vertex_id q = 0; q < n; q++)
-            CLAIM("sec3.1.P14", oracle_compare_distance(x, points[found], x, points[q]) <= 0,
+            CLAIM("sec3.1.P14",
+                  oracle_compare_distance(x, points[found], x, points[q]) <= 0,
                   "%u is nearer to (%g,%g) than %u", q, x.x, x.y, found);
         /* No site is left twice, so no half-edge is looked along twice. */
         CLAIM("sec3.1.P14", visited >= 1 && visited <= 1 + mesh_halfedges(&m),
@@ -59,8 +65,8 @@ the_walk_ends_at_a_nearest_site(const point2 *points, uint32_t n)
     mesh_free(&m);
 }
 
-/* In a grid of k x k sites a walk from one corner to the other goes along diagonals and
- * rows: it leaves at most 2k sites, with 8 neighbours at most. */
+/* In a grid of k x k sites a walk from one corner to the other goes along
+ * diagonals and rows: it leaves at most 2k sites, with 8 neighbours at most. */
 static void
 a_walk_is_short(void)
 {
@@ -69,7 +75,8 @@ a_walk_is_short(void)
     for (uint32_t i = 0; i < K * K; i++)
         points[i] = (point2){i % K, i / K};
     mesh m;
-    CLAIM("sec3.1.P14", lawson_triangulate(points, K * K, NULL, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.1.P14", lawson_triangulate(points, K * K, NULL, &m) == TRI_OK,
+          "no mesh");
     uint32_t visited;
     vertex_id found = nearest_site(&m, points, (point2){K, K}, 0, &visited);
     CLAIM("sec3.1.P14", found == K * K - 1, "%u", found);
@@ -85,6 +92,9 @@ main(int argc, char **argv)
     test_near_degenerate("nearest", the_walk_ends_at_a_nearest_site, 1000, 30);
     test_grid_subsets("nearest", the_walk_ends_at_a_nearest_site, 3);
     test_run("a walk is short", a_walk_is_short);
-    return test_end((test_minima){.trials = 3000, .largest_n = 50, .zeros = 1000,
-                                  .expansions = 500, .wide = 500});
+    return test_end((test_minima){.trials = 3000,
+                                  .largest_n = 50,
+                                  .zeros = 1000,
+                                  .expansions = 500,
+                                  .wide = 500});
 }

@@ -1,9 +1,9 @@
-/* Section 3.1, from the survey page that the notes show: a triangulation without obtuse
- * angles is Delaunay; but the Delaunay triangulation minimises neither the largest angle
- * nor the total length.
+/* Section 3.1, from the survey page that the notes show: a triangulation
+ * without obtuse angles is Delaunay; but the Delaunay triangulation minimises
+ * neither the largest angle nor the total length.
  *
- * Hypotheses: none for the first. That angles cannot grow by a flip is Theorem 4's
- * test (3.5).
+ * Hypotheses: none for the first. That angles cannot grow by a flip is Theorem
+ * 4's test (3.5).
  */
 #include "chapters/3.5_edge_flips/flips.h"
 #include "tests/harness/harness.h"
@@ -12,13 +12,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The scalar product of the sides of triangle t at its corner i, exact for whole points
- * up to 2^25: negative for an obtuse angle. */
+/* The scalar product of the sides of triangle t at its corner i, exact for
+ * whole points up to 2^25: negative for an obtuse angle. */
 static double
 corner_product(const point2 *points, triangle_list list, uint32_t t, int i)
 {
     point2 a = points[list.corner[t][i]];
-    point2 b = points[list.corner[t][(i + 1) % 3]], c = points[list.corner[t][(i + 2) % 3]];
+    point2 b = points[list.corner[t][(i + 1) % 3]],
+           c = points[list.corner[t][(i + 2) % 3]];
     return (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
 }
 
@@ -37,11 +38,12 @@ claim_delaunay(const point2 *points, uint32_t n, triangle_list list)
 {
     verdict v;
     test_picture(list);
-    CLAIM("sec3.1.P17", is_delaunay(points, n, list, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P17", is_delaunay(points, n, list, &v) == TRI_OK,
+          "out of memory");
     claim_verdict("sec3.1.P17", v);
 }
 
-/* Some triangulation of a few whole points; many have an obtuse angle, not all. */
+/* Some triangulation of a few whole points: not all have an obtuse angle. */
 static void
 without_obtuse_angles_is_delaunay(const point2 *given, uint32_t n)
 {
@@ -58,8 +60,8 @@ without_obtuse_angles_is_delaunay(const point2 *given, uint32_t n)
     free(points);
 }
 
-/* Rectangles between random lines, each cut by a diagonal of its own choice: all angles
- * are right or acute. */
+/* Rectangles between random lines, each cut by a diagonal of its own choice:
+ * all angles are right or acute. */
 static void
 rectangles_are_delaunay(const point2 *given, uint32_t n)
 {
@@ -101,26 +103,31 @@ largest_angle(const point2 *points, triangle_list list)
     double largest = 0;
     for (uint32_t t = 0; t < list.count; t++)
         for (int i = 0; i < 3; i++) {
-            point2 a = points[list.corner[t][i]], b = points[list.corner[t][(i + 1) % 3]];
+            point2 a = points[list.corner[t][i]],
+                   b = points[list.corner[t][(i + 1) % 3]];
             point2 c = points[list.corner[t][(i + 2) % 3]];
             double cosine = corner_product(points, list, t, i) /
-                hypot(b.x - a.x, b.y - a.y) / hypot(c.x - a.x, c.y - a.y);
+                            hypot(b.x - a.x, b.y - a.y) /
+                            hypot(c.x - a.x, c.y - a.y);
             largest = fmax(largest, acos(cosine) * 180 / acos(-1));
         }
     return largest;
 }
 
 static void
-claim_only_delaunay(const char *name, const point2 *points, triangle_list delaunay,
-                    triangle_list other)
+claim_only_delaunay(const char *name, const point2 *points,
+                    triangle_list delaunay, triangle_list other)
 {
     verdict v, w;
-    CLAIM(name, is_delaunay(points, 4, delaunay, &v) == TRI_OK &&
-          is_delaunay(points, 4, other, &w) == TRI_OK, "out of memory");
+    CLAIM(name,
+          is_delaunay(points, 4, delaunay, &v) == TRI_OK &&
+              is_delaunay(points, 4, other, &w) == TRI_OK,
+          "out of memory");
     CLAIM(name, v.holds && !w.holds, "the two are not as announced");
 }
 
-static vertex_id one[2][3] = {{0, 1, 2}, {0, 2, 3}}, two[2][3] = {{0, 1, 3}, {1, 2, 3}};
+static vertex_id one[2][3] = {{0, 1, 2}, {0, 2, 3}},
+                 two[2][3] = {{0, 1, 3}, {1, 2, 3}};
 
 static void
 the_largest_angle_can_be_smaller(void)
@@ -134,7 +141,7 @@ the_largest_angle_can_be_smaller(void)
     CLAIM("sec3.1.P18", smaller < 99, "%g degrees", smaller);
 }
 
-/* The sides are the same: the diagonals count, (0,0)(5,4) against (4,1)(5,5). */
+/* The sides are the same; the diagonals are (0,0)(5,4) and (4,1)(5,5). */
 static void
 the_length_can_be_smaller(void)
 {
@@ -148,10 +155,12 @@ the_length_can_be_smaller(void)
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "3.1, survey: what the Delaunay triangulation is, and is not");
+    test_begin(argc, argv,
+               "3.1, survey: what the Delaunay triangulation is, and is not");
     test_random("no obtuse angle", without_obtuse_angles_is_delaunay, 4000, 9);
     test_random("rectangles", rectangles_are_delaunay, 500, 40);
     test_run("the largest angle", the_largest_angle_can_be_smaller);
     test_run("the total length", the_length_can_be_smaller);
-    return test_end((test_minima){.trials = 4000, .largest_n = 9, .zeros = 1000});
+    return test_end(
+        (test_minima){.trials = 4000, .largest_n = 9, .zeros = 1000});
 }

@@ -1,8 +1,8 @@
-/* The command tri voronoi writes the Voronoi diagram in the files of Triangle, and all
- * of them or none.
+/* The command tri voronoi writes the Voronoi diagram in the files of Triangle,
+ * and all of them or none.
  *
- * It is driven as people drive it, by the shell. Needed: the program, beside this one's
- * folder or where the environment's TRI says.
+ * It is driven as people drive it, by the shell. Needed: the program, beside
+ * this one's folder or where the environment's TRI says.
  */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "chapters/3.4_primitives/predicates.h"
@@ -83,19 +83,24 @@ read_lines(diagram *g, const char *file)
     unsigned count = 0, k;
     FILE *f = fopen(in_scratch(file).text, "rb");
     CLAIM("voronoi.files", f != NULL, "%s is not there", file);
-    CLAIM("voronoi.files", fgets(text, sizeof text, f) != NULL &&
-          sscanf(text, "%u 0", &count) == 1, "%s has no first line", file);
+    CLAIM("voronoi.files",
+          fgets(text, sizeof text, f) != NULL &&
+              sscanf(text, "%u 0", &count) == 1,
+          "%s has no first line", file);
     g->line = calloc(count + 1, sizeof *g->line);
     while (g->lines < count && fgets(text, sizeof text, f) != NULL) {
         line *l = &g->line[g->lines];
-        int read = sscanf(text, "%u %d %d %lf %lf %lf %lf", &k, &l->ends[0], &l->ends[1],
-                          &l->number[0], &l->number[1], &l->number[2], &l->number[3]);
-        CLAIM("voronoi.files", read >= 3 && k == ++g->lines, "%s: %s", file, text);
+        int read = sscanf(text, "%u %d %d %lf %lf %lf %lf", &k, &l->ends[0],
+                          &l->ends[1], &l->number[0], &l->number[1],
+                          &l->number[2], &l->number[3]);
+        CLAIM("voronoi.files", read >= 3 && k == ++g->lines, "%s: %s", file,
+              text);
         l->numbers = read - 3;
         for (int i = 0; i < 2; i++)
             l->ends[i] -= l->ends[i] > 0;
     }
-    CLAIM("voronoi.files", g->lines == count && fgets(text, sizeof text, f) == NULL,
+    CLAIM("voronoi.files",
+          g->lines == count && fgets(text, sizeof text, f) == NULL,
           "%s announces %u edges", file, count);
     fclose(f);
 }
@@ -108,19 +113,27 @@ run(const point2 *points, uint32_t n, bool per_triangle)
     text_error error = {0};
     text_points in = {n, 1, NULL};
     write_points(points, n);
-    int status = shell(per_triangle
-        ? "$tri voronoi --per-triangle -o $d/out --svg $d/out.svg $d/in.node 2>$d/err"
-        : "$tri voronoi -o $d/out --svg $d/out.svg $d/in.node 2>$d/err");
+    int status = shell(
+        per_triangle
+            ? "$tri voronoi --per-triangle -o $d/out --svg $d/out.svg "
+              "$d/in.node 2>$d/err"
+            : "$tri voronoi -o $d/out --svg $d/out.svg $d/in.node 2>$d/err");
     CLAIM("voronoi.files", status == 0, "exit status %d", status);
     CLAIM("voronoi.files", is_text("out.svg", "<svg", false), "no picture");
-    CLAIM("voronoi.files", text_read_points(in_scratch("out.v.node").text, &g.vertices,
-          &error) == TRI_OK, "out.v.node:%lu: %s", error.line, error.text);
+    CLAIM("voronoi.files",
+          text_read_points(in_scratch("out.v.node").text, &g.vertices,
+                           &error) == TRI_OK,
+          "out.v.node:%lu: %s", error.line, error.text);
     read_lines(&g, "out.v.edge");
     if (per_triangle) {
-        CLAIM("voronoi.files", text_read_triangles(in_scratch("out.ele").text, &in,
-              &g.triangles, &error) == TRI_OK, "out.ele:%lu: %s", error.line, error.text);
-        CLAIM("voronoi.files", text_read_edges(in_scratch("out.edge").text, &in, &g.edges,
-              &error) == TRI_OK, "out.edge:%lu: %s", error.line, error.text);
+        CLAIM("voronoi.files",
+              text_read_triangles(in_scratch("out.ele").text, &in, &g.triangles,
+                                  &error) == TRI_OK,
+              "out.ele:%lu: %s", error.line, error.text);
+        CLAIM("voronoi.files",
+              text_read_edges(in_scratch("out.edge").text, &in, &g.edges,
+                              &error) == TRI_OK,
+              "out.edge:%lu: %s", error.line, error.text);
     }
     return g;
 }
@@ -136,7 +149,8 @@ diagram_free(diagram *g)
 
 /* ---- What the files say. ---- */
 
-/* The corner of triangle t that is neither p nor q; NONE if these are not corners. */
+/* The corner of triangle t that is neither p nor q; NONE if these are not
+ * corners. */
 static vertex_id
 third_corner(triangle_list list, int t, vertex_id p, vertex_id q)
 {
@@ -158,8 +172,8 @@ dot(double x, double y, point2 p, point2 q)
     return x * (q.x - p.x) + y * (q.y - p.y);
 }
 
-/* Line k of .v.edge is dual to line k of .edge: its ends are the triangles at that edge,
- * and a ray leaves at a right angle, away from its triangle. */
+/* Line k of .v.edge is dual to line k of .edge: its ends are the triangles at
+ * that edge, and a ray leaves at a right angle, away from its triangle. */
 static void
 check_line(const point2 *points, const diagram *g, uint32_t k)
 {
@@ -173,20 +187,28 @@ check_line(const point2 *points, const diagram *g, uint32_t k)
             continue;
         ends++;
         vertex_id c = third_corner(g->triangles, l.ends[i], p, q);
-        CLAIM("voronoi.dual", c != NONE, "edge %u ends at triangle %d", k, l.ends[i]);
+        CLAIM("voronoi.dual", c != NONE, "edge %u ends at triangle %d", k,
+              l.ends[i]);
         if (l.ends[1] < 0)
-            CLAIM("voronoi.outward", dot(l.number[0], l.number[1], points[p], points[c]) < 0,
+            CLAIM("voronoi.outward",
+                  dot(l.number[0], l.number[1], points[p], points[c]) < 0,
                   "ray %u leaves through its triangle", k);
     }
-    CLAIM("voronoi.dual", ends == at_edge, "edge %u: %u ends, %u triangles", k, ends,
-          at_edge);
-    CLAIM("voronoi.form", l.numbers == (ends == 2 ? 0 : ends == 1 ? 2 : 4),
+    CLAIM("voronoi.dual", ends == at_edge, "edge %u: %u ends, %u triangles", k,
+          ends, at_edge);
+    CLAIM("voronoi.form",
+          l.numbers == (ends == 2   ? 0
+                        : ends == 1 ? 2
+                                    : 4),
           "edge %u: %u ends, %d numbers", k, ends, l.numbers);
-    CLAIM("voronoi.form", l.ends[0] >= 0 || ends == 0, "ray %u comes from infinity", k);
+    CLAIM("voronoi.form", l.ends[0] >= 0 || ends == 0,
+          "ray %u comes from infinity", k);
     if (ends < 2) {
         const double *along = &l.number[2 - 2 * ends];
-        CLAIM("voronoi.outward", dot(along[0], along[1], points[p], points[q]) == 0 &&
-              (along[0] != 0 || along[1] != 0), "edge %u does not run along the bisector", k);
+        CLAIM("voronoi.outward",
+              dot(along[0], along[1], points[p], points[q]) == 0 &&
+                  (along[0] != 0 || along[1] != 0),
+              "edge %u does not run along the bisector", k);
     }
     if (ends == 0) {
         point2 x = {l.number[0], l.number[1]};
@@ -201,13 +223,17 @@ per_triangle_files_agree(const point2 *given, uint32_t n)
     (void)given;
     point2 *points = whole_points(n, 12);
     diagram g = run(points, n, true);
-    CLAIM("voronoi.dual", g.vertices.count == g.triangles.count && g.lines == g.edges.count,
+    CLAIM("voronoi.dual",
+          g.vertices.count == g.triangles.count && g.lines == g.edges.count,
           "%u vertices, %u triangles", g.vertices.count, g.triangles.count);
     for (uint32_t t = 0; t < g.triangles.count; t++) {
         const vertex_id *c = g.triangles.corner[t];
         point2 at;
-        CLAIM("voronoi.dual", circumcentre(points[c[0]], points[c[1]], points[c[2]], &at) ==
-              TRI_OK && at.x == g.vertices.points[t].x && at.y == g.vertices.points[t].y,
+        CLAIM("voronoi.dual",
+              circumcentre(points[c[0]], points[c[1]], points[c[2]], &at) ==
+                      TRI_OK &&
+                  at.x == g.vertices.points[t].x &&
+                  at.y == g.vertices.points[t].y,
               "vertex %u is not the centre of triangle %u", t, t);
     }
     for (uint32_t k = 0; k < g.lines; k++)
@@ -216,8 +242,8 @@ per_triangle_files_agree(const point2 *given, uint32_t n)
     free(points);
 }
 
-/* Without --per-triangle, no two vertices are the same point, and each is one of those
- * with it; an edge joins two different ones. */
+/* Without --per-triangle, no two vertices are the same point, and each is one
+ * of those with it; an edge joins two different ones. */
 static void
 vertices_are_merged(const point2 *given, uint32_t n)
 {
@@ -228,16 +254,20 @@ vertices_are_merged(const point2 *given, uint32_t n)
         bool known = false;
         point2 at = g.vertices.points[v];
         for (uint32_t t = 0; t < all.vertices.count; t++)
-            known = known || compare_distance(at, all.vertices.points[t], at, at) == 0;
+            known = known ||
+                    compare_distance(at, all.vertices.points[t], at, at) == 0;
         CLAIM("voronoi.merged", known, "vertex %u is no centre", v);
         for (uint32_t w = 0; w < v; w++)
-            CLAIM("voronoi.merged", compare_distance(at, g.vertices.points[w], at, at) != 0,
+            CLAIM("voronoi.merged",
+                  compare_distance(at, g.vertices.points[w], at, at) != 0,
                   "vertices %u and %u are the same point", w, v);
     }
     for (uint32_t k = 0; k < g.lines; k++)
-        CLAIM("voronoi.merged", g.line[k].ends[0] != g.line[k].ends[1] ||
-              g.line[k].ends[0] < 0, "edge %u has length 0", k);
-    CLAIM("voronoi.merged", g.lines + all.vertices.count == all.lines + g.vertices.count,
+        CLAIM("voronoi.merged",
+              g.line[k].ends[0] != g.line[k].ends[1] || g.line[k].ends[0] < 0,
+              "edge %u has length 0", k);
+    CLAIM("voronoi.merged",
+          g.lines + all.vertices.count == all.lines + g.vertices.count,
           "%u of %u edges and %u of %u vertices are left", g.lines, all.lines,
           g.vertices.count, all.vertices.count);
     diagram_free(&all);
@@ -251,21 +281,33 @@ static void
 known_files(void)
 {
     shell("printf '0 0\\n2 0\\n0 2\\n' >$d/t.xy; $tri voronoi -o $d/t $d/t.xy");
-    CLAIM("voronoi.known", is_text("t.v.node", "1 2 0 0\n0 1 1\n", true), "the vertex");
-    CLAIM("voronoi.known", is_text("t.v.edge", " 0 -1 0 -2\n", false) &&
-          is_text("t.v.edge", " 0 -1 2 2\n", false) &&
-          is_text("t.v.edge", " 0 -1 -2 0\n", false), "the rays");
-    shell("printf '0 0\\n4 2\\n' >$d/l.xy; $tri voronoi -o $d/l $d/l.xy 2>$d/err");
-    CLAIM("voronoi.known", is_text("l.v.node", "0 2 0 0\n", true), "no vertices");
-    CLAIM("voronoi.known", is_text("l.v.edge", "1 0\n0 -1 -1 2 1 -2 4\n", true) ||
-          is_text("l.v.edge", "1 0\n0 -1 -1 2 1 2 -4\n", true), "the line");
-    shell("printf '7 7\\n7 7\\n' >$d/p.xy; $tri voronoi -o $d/p $d/p.xy 2>$d/err");
-    CLAIM("voronoi.known", is_text("p.v.edge", "0 0\n", true) &&
-          is_text("err", "1 of 2 points", false), "one cell, the whole plane");
+    CLAIM("voronoi.known", is_text("t.v.node", "1 2 0 0\n0 1 1\n", true),
+          "the vertex");
+    CLAIM("voronoi.known",
+          is_text("t.v.edge", " 0 -1 0 -2\n", false) &&
+              is_text("t.v.edge", " 0 -1 2 2\n", false) &&
+              is_text("t.v.edge", " 0 -1 -2 0\n", false),
+          "the rays");
+    shell("printf '0 0\\n4 2\\n' >$d/l.xy; $tri voronoi -o $d/l $d/l.xy "
+          "2>$d/err");
+    CLAIM("voronoi.known", is_text("l.v.node", "0 2 0 0\n", true),
+          "no vertices");
+    CLAIM("voronoi.known",
+          is_text("l.v.edge", "1 0\n0 -1 -1 2 1 -2 4\n", true) ||
+              is_text("l.v.edge", "1 0\n0 -1 -1 2 1 2 -4\n", true),
+          "the line");
+    shell("printf '7 7\\n7 7\\n' >$d/p.xy; $tri voronoi -o $d/p $d/p.xy "
+          "2>$d/err");
+    CLAIM("voronoi.known",
+          is_text("p.v.edge", "0 0\n", true) &&
+              is_text("err", "1 of 2 points", false),
+          "one cell, the whole plane");
     int status = shell("$tri generate grid 49 -o $d/g.node && "
                        "$tri voronoi -o $d/g $d/g.node");
-    CLAIM("voronoi.known", status == 0 && is_text("g.v.node", "36 2 0 0\n", false) &&
-          is_text("g.v.edge", "84 0\n", false), "the 7 x 7 grid");
+    CLAIM("voronoi.known",
+          status == 0 && is_text("g.v.node", "36 2 0 0\n", false) &&
+              is_text("g.v.edge", "84 0\n", false),
+          "the 7 x 7 grid");
 }
 
 /* ---- Refusals. ---- */
@@ -273,8 +315,10 @@ known_files(void)
 static void
 claim_untouched(const char *why)
 {
-    CLAIM("voronoi.all_or_none", is_text("x.v.node", "old\n", true) &&
-          is_text("x.v.edge", "old\n", true), "%s: an old file is gone", why);
+    CLAIM("voronoi.all_or_none",
+          is_text("x.v.node", "old\n", true) &&
+              is_text("x.v.edge", "old\n", true),
+          "%s: an old file is gone", why);
     CLAIM("voronoi.all_or_none", shell("ls $d/*.part >$d/ls 2>&1") != 0,
           "%s: a part of a file is left", why);
 }
@@ -285,25 +329,32 @@ refusals_leave_old_files(void)
     shell("echo old >$d/x.v.node; echo old >$d/x.v.edge");
     shell("printf '%s\\n' '-1e200 0' '1e200 0' '0 1e-200' >$d/far.xy");
     int status = shell("$tri voronoi -o $d/x $d/far.xy 2>$d/err");
-    CLAIM("voronoi.range", status == 2 && is_text("err", "larger than the largest", false),
+    CLAIM("voronoi.range",
+          status == 2 && is_text("err", "larger than the largest", false),
           "a vertex beyond the doubles: exit status %d", status);
     claim_untouched("out of range");
 
     status = shell("mkdir $d/x.edge; $tri generate uniform 9 -o $d/u.node; "
                    "$tri voronoi --per-triangle -o $d/x $d/u.node 2>$d/err");
-    CLAIM("voronoi.all_or_none", status == 2 && is_text("err", "it is a folder", false),
+    CLAIM("voronoi.all_or_none",
+          status == 2 && is_text("err", "it is a folder", false),
           "a folder in the way: exit status %d", status);
     claim_untouched("a folder in the way");
 
-    /* Only the last file is too long for a limit of 32 kB: the others must wait. */
-    status = shell("$tri generate uniform 250 -o $d/u.node; (ulimit -f 64; trap '' XFSZ; "
-                   "exec $tri voronoi -o $d/x --svg $d/x.svg $d/u.node 2>$d/err)");
-    CLAIM("voronoi.all_or_none", status == 2 && is_text("err", "cannot be written", false),
+    /* Only the last file is too long for a limit of 32 kB: the others must
+     * wait. */
+    status = shell(
+        "$tri generate uniform 250 -o $d/u.node; (ulimit -f 64; trap '' XFSZ; "
+        "exec $tri voronoi -o $d/x --svg $d/x.svg $d/u.node 2>$d/err)");
+    CLAIM("voronoi.all_or_none",
+          status == 2 && is_text("err", "cannot be written", false),
           "a full disk: exit status %d", status);
     claim_untouched("a full disk");
 
-    status = shell("$tri voronoi -o $d/x --svg $d/no/such/x.svg $d/u.node 2>$d/err");
-    CLAIM("voronoi.all_or_none", status == 2 && is_text("err", "cannot be written", false),
+    status =
+        shell("$tri voronoi -o $d/x --svg $d/no/such/x.svg $d/u.node 2>$d/err");
+    CLAIM("voronoi.all_or_none",
+          status == 2 && is_text("err", "cannot be written", false),
           "no such folder: exit status %d", status);
     claim_untouched("no such folder");
 }
@@ -312,11 +363,15 @@ static void
 wrong_arguments_are_explained(void)
 {
     const char *const wrong[] = {
-        "$tri voronoi $d/in.node 2>$d/err", "$tri voronoi -o - $d/in.node 2>$d/err",
-        "$tri voronoi -o $d/x 2>$d/err", "$tri voronoi --svg - --per-triangle x 2>$d/err"};
+        "$tri voronoi $d/in.node 2>$d/err",
+        "$tri voronoi -o - $d/in.node 2>$d/err",
+        "$tri voronoi -o $d/x 2>$d/err",
+        "$tri voronoi --svg - --per-triangle x 2>$d/err"};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
-        CLAIM("voronoi.usage", shell(wrong[i]) == 2 &&
-              is_text("err", "usage: tri voronoi", false), "%s", wrong[i]);
+        CLAIM("voronoi.usage",
+              shell(wrong[i]) == 2 &&
+                  is_text("err", "usage: tri voronoi", false),
+              "%s", wrong[i]);
 }
 
 int
@@ -336,8 +391,10 @@ main(int argc, char **argv)
     }
     setenv("d", scratch, 1);
 
-    test_begin(argc, argv, "tri voronoi writes the diagram, all of its files or none");
-    test_random("a vertex for each triangle", per_triangle_files_agree, 150, 40);
+    test_begin(argc, argv,
+               "tri voronoi writes the diagram, all of its files or none");
+    test_random("a vertex for each triangle", per_triangle_files_agree, 150,
+                40);
     test_random("merged vertices", vertices_are_merged, 100, 40);
     test_run("known files", known_files);
     test_run("refusals leave old files", refusals_leave_old_files);

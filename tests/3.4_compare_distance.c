@@ -1,5 +1,5 @@
-/* Section 3.4: compare_distance returns the sign of |pq|^2 - |rs|^2 over the real
- * numbers.
+/* Section 3.4: compare_distance returns the sign of |pq|^2 - |rs|^2 over the
+ * real numbers.
  *
  * Hypotheses: the coordinates are finite doubles; nothing else.
  */
@@ -7,8 +7,8 @@
 #include "tests/oracle/agreement.h"
 #include "tests/oracle/oracle.h"
 
-/* Neighbours in the circular sequence of the points, with two pairs apart, with a
- * point in common, and with a pair that is a single point. */
+/* Neighbours in the circular sequence of the points, with two pairs apart, with
+ * a point in common, and with a pair that is a single point. */
 static void
 signs_are_those_of_the_distances(const point2 *points, uint32_t n)
 {
@@ -24,7 +24,8 @@ signs_are_those_of_the_distances(const point2 *points, uint32_t n)
         before = predicate_count;
         claim_sign(before, compare_distance(p, p, r, s),
                    oracle_compare_distance(p, p, r, s));
-        int swapped = compare_distance(q, p, r, s), back = compare_distance(r, s, p, q);
+        int swapped = compare_distance(q, p, r, s),
+            back = compare_distance(r, s, p, q);
         CLAIM("sec3.4.P1", swapped == sign, "qp: %+d, pq: %+d", swapped, sign);
         CLAIM("sec3.4.P1", back == -sign, "back: %+d, there: %+d", back, sign);
     }
@@ -57,7 +58,8 @@ the_filter_decides(void)
         (void)compare_distance(p[0], p[1], p[2], p[1]);
         decided += tier_since(before) == FILTER;
     }
-    CLAIM("sec3.4.P12", decided >= trials / 100 * 99, "only %u of %u", decided, trials);
+    CLAIM("sec3.4.P12", decided >= trials / 100 * 99, "only %u of %u", decided,
+          trials);
 }
 
 /* Where squares leave the doubles on either side. */
@@ -67,22 +69,31 @@ extreme_distances_compare(void)
     const double most = 0x1.fffffffffffffp1023, least = 0x1p-1074;
     const point2 o = {0, 0}, far = {most, most}, further = {most, -most};
     const point2 near = {least, 0}, also_near = {0, -least};
-    CLAIM("sec3.4.P11", compare_distance(far, further, far, o) == +1, "2 > sqrt 2");
-    CLAIM("sec3.4.P11", compare_distance(o, far, o, further) == 0, "the same length");
-    CLAIM("sec3.4.P11", compare_distance(o, near, near, also_near) == -1, "1 < sqrt 2");
-    CLAIM("sec3.4.P11", compare_distance(o, near, o, also_near) == 0, "the same length");
+    CLAIM("sec3.4.P11", compare_distance(far, further, far, o) == +1,
+          "2 > sqrt 2");
+    CLAIM("sec3.4.P11", compare_distance(o, far, o, further) == 0,
+          "the same length");
+    CLAIM("sec3.4.P11", compare_distance(o, near, near, also_near) == -1,
+          "1 < sqrt 2");
+    CLAIM("sec3.4.P11", compare_distance(o, near, o, also_near) == 0,
+          "the same length");
 }
 
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "3.4: compare_distance is the sign of |pq|^2 - |rs|^2");
-    test_random("signs of the differences", signs_are_those_of_the_distances, 2500, 60);
+    test_begin(argc, argv,
+               "3.4: compare_distance is the sign of |pq|^2 - |rs|^2");
+    test_random("signs of the differences", signs_are_those_of_the_distances,
+                2500, 60);
     test_near_degenerate("signs of the differences, nearly degenerate",
                          signs_are_those_of_the_distances, 5000, 60);
     test_run("pythagoras", pythagoras_is_a_tie);
     test_run("the filter decides nearly always", the_filter_decides);
     test_run("underflow and overflow", extreme_distances_compare);
-    return test_end((test_minima){.trials = 7000, .largest_n = 50, .zeros = 10000,
-                                  .expansions = 10000, .wide = 10000});
+    return test_end((test_minima){.trials = 7000,
+                                  .largest_n = 50,
+                                  .zeros = 10000,
+                                  .expansions = 10000,
+                                  .wide = 10000});
 }

@@ -8,6 +8,14 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/memory.h"
 
+/* The verdict with four sites to look at. */
+static verdict
+with_sites(verdict v, vertex_id a, vertex_id b, vertex_id c, vertex_id x)
+{
+    return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c),
+                        x);
+}
+
 /* ---- The numbers are numbers of something. ---- */
 
 /* Are first[0 .. count] places in a list, in order? */
@@ -25,7 +33,8 @@ check_numbers(const voronoi *d, uint32_t n)
 {
     if (d->points != n || !are_places(d->vertex_first, d->vertices) ||
         !are_places(d->cell_first, n))
-        return verdict_refuted("the lists of the vertices or of the cells are broken");
+        return verdict_refuted(
+            "the lists of the vertices or of the cells are broken");
     uint32_t corners = d->vertex_first[d->vertices];
     for (uint32_t i = 0; i < corners; i++)
         if (d->vertex_site[i] >= n)
@@ -33,15 +42,18 @@ check_numbers(const voronoi *d, uint32_t n)
                                    (unsigned)d->vertex_site[i], (unsigned)n);
     for (uint32_t k = 0; k < d->edges; k++) {
         voronoi_edge e = d->edge[k];
-        if (e.left >= n || e.right >= n || (e.from >= d->vertices && e.from != NONE) ||
+        if (e.left >= n || e.right >= n ||
+            (e.from >= d->vertices && e.from != NONE) ||
             (e.to >= d->vertices && e.to != NONE))
-            return verdict_refuted("edge %u has a site or an end that does not exist",
-                                   (unsigned)k);
+            return verdict_refuted(
+                "edge %u has a site or an end that does not exist",
+                (unsigned)k);
     }
     for (uint32_t i = 0; i < d->cell_first[n]; i++)
         if (d->cell_edge[i] >= d->edges)
             return verdict_refuted("a cell has the edge %u, and there are %u",
-                                   (unsigned)d->cell_edge[i], (unsigned)d->edges);
+                                   (unsigned)d->cell_edge[i],
+                                   (unsigned)d->edges);
     return verdict_holds();
 }
 
@@ -54,14 +66,16 @@ check_vertex(const voronoi *d, const point2 *points, uint32_t v)
     const vertex_id *s = d->vertex_site + d->vertex_first[v];
     uint32_t size = d->vertex_first[v + 1] - d->vertex_first[v];
     if (size < 3)
-        return verdict_refuted("vertex %u has %u sites", (unsigned)v, (unsigned)size);
-    for (uint32_t i = 3; i < size; i++)
-        if (incircle(points[s[0]], points[s[1]], points[s[2]], points[s[i]]) != 0) {
-            verdict refuted = verdict_refuted("the sites of vertex %u are on no circle",
-                                              (unsigned)v);
-            return verdict_with(verdict_with(verdict_with(verdict_with(refuted, s[0]),
-                                s[1]), s[2]), s[i]);
-        }
+        return verdict_refuted("vertex %u has %u sites", (unsigned)v,
+                               (unsigned)size);
+    for (uint32_t i = 3; i < size; i++) {
+        point2 a = points[s[0]], b = points[s[1]], c = points[s[2]];
+        if (incircle(a, b, c, points[s[i]]) == 0)
+            continue;
+        verdict refuted = verdict_refuted(
+            "the sites of vertex %u are on no circle", (unsigned)v);
+        return with_sites(refuted, s[0], s[1], s[2], s[i]);
+    }
     return verdict_holds();
 }
 
@@ -83,11 +97,11 @@ make_fans(const voronoi *d, triangle_list *fans, uint32_t *vertex_of)
     }
 }
 
-/* Between two vertices, does neither circle have a site of the other triangle inside,
- * and are the circles different? Triangles of one vertex share theirs. */
+/* Between two vertices, does neither circle have a site of the other triangle
+ * inside, and are the circles different? Within a vertex they are the same. */
 static verdict
 check_circles(const point2 *points, triangle_list fans, const halfedge_id *twin,
-            const uint32_t *vertex_of)
+              const uint32_t *vertex_of)
 {
     for (halfedge_id e = 0; e < 3 * fans.count; e++) {
         if (twin[e] == NONE || vertex_of[e / 3] == vertex_of[twin[e] / 3])
@@ -97,12 +111,13 @@ check_circles(const point2 *points, triangle_list fans, const halfedge_id *twin,
         int side = incircle(points[a], points[b], points[c], points[x]);
         if (side < 0)
             continue;
-        verdict v = side == 0
-            ? verdict_refuted("vertices %u and %u are the same point",
-                  (unsigned)vertex_of[e / 3], (unsigned)vertex_of[twin[e] / 3])
-            : verdict_refuted("site %u lies inside the circle of vertex %u",
-                  (unsigned)x, (unsigned)vertex_of[e / 3]);
-        return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c), x);
+        unsigned v = (unsigned)vertex_of[e / 3];
+        unsigned w = (unsigned)vertex_of[twin[e] / 3];
+        verdict refuted = verdict_refuted(
+            side == 0 ? "vertices %u and %u are the same point"
+                      : "the circle of vertex %u is not empty, see vertex %u",
+            v, w);
+        return with_sites(refuted, a, b, c, x);
     }
     return verdict_holds();
 }
@@ -115,7 +130,7 @@ check_vertices(const point2 *points, uint32_t n, const voronoi *d, verdict *out)
         if (!out->holds)
             return TRI_OK;
     }
-    size_t most = d->vertex_first[d->vertices]; /* of triangles: size-2 for a vertex */
+    size_t most = d->vertex_first[d->vertices]; /* more than triangles */
     triangle_list fans = {0, memory_array(most, sizeof *fans.corner)};
     uint32_t *vertex_of = memory_array(most, sizeof *vertex_of);
     halfedge_id *twin = memory_array(most, 3 * sizeof *twin), repeated;
@@ -146,7 +161,8 @@ seen_from(const voronoi *d, uint32_t k, vertex_id p)
     return e;
 }
 
-/* Is q, p, r a corner of the polygon of vertex v: does p come after r and before q? */
+/* Is q, p, r a corner of the polygon of vertex v: does p come after r and
+ * before q? */
 static bool
 is_corner(const voronoi *d, uint32_t v, vertex_id r, vertex_id p, vertex_id q)
 {
@@ -161,39 +177,43 @@ is_corner(const voronoi *d, uint32_t v, vertex_id r, vertex_id p, vertex_id q)
 static verdict
 refuted_cell(vertex_id p, vertex_id q, const char *what)
 {
-    verdict v = verdict_refuted("the cell of %u, at its edge with %u: %s", (unsigned)p,
-                                (unsigned)q, what);
+    verdict v = verdict_refuted("the cell of %u, at its edge with %u: %s",
+                                (unsigned)p, (unsigned)q, what);
     return verdict_with(verdict_with(v, p), q);
 }
 
-/* Do the edges of p's cell run from corner to corner, infinity at most between the last
- * and the first? Adds to *corners how many have been met; met[q] = p says that q has
- * been met beyond an edge of p. */
+/* Do the edges of p's cell run from corner to corner, infinity at most between
+ * the last and the first? Adds to *corners how many have been met; met[q] = p
+ * says that q has been met beyond an edge of p. */
 static verdict
 check_cell(const voronoi *d, vertex_id p, vertex_id *met, uint32_t *corners)
 {
     uint32_t begin = d->cell_first[p], size = d->cell_first[p + 1] - begin;
     for (uint32_t i = 0; i < size; i++) {
         voronoi_edge e = seen_from(d, d->cell_edge[begin + i], p);
-        voronoi_edge next = seen_from(d, d->cell_edge[begin + (i + 1) % size], p);
+        voronoi_edge next =
+            seen_from(d, d->cell_edge[begin + (i + 1) % size], p);
         if (e.left != p || e.right == p)
             return refuted_cell(p, e.right, "it is not an edge of both");
         if (met[e.right] == p)
             return refuted_cell(p, e.right, "there are two of them");
         met[e.right] = p;
         if (e.from == NONE && e.to == NONE)
-            return refuted_cell(p, e.right, "it is a line, and there are vertices");
+            return refuted_cell(p, e.right,
+                                "it is a line, and there are vertices");
         if (e.to == NONE && i + 1 < size)
-            return refuted_cell(p, e.right, "it is a ray, and not the last one");
+            return refuted_cell(p, e.right,
+                                "it is a ray, and not the last one");
         if (e.to != NONE && !is_corner(d, e.to, next.right, p, e.right))
-            return refuted_cell(p, e.right, "its end is no corner at these sites");
+            return refuted_cell(p, e.right,
+                                "its end is no corner at these sites");
         *corners += e.to != NONE;
     }
     return verdict_holds();
 }
 
-/* Sites that differ beyond the edges of a cell make the corners that are met different
- * ones. If there are as many as corners, each has been met. */
+/* Sites that differ beyond the edges of a cell make the corners that are met
+ * different ones. If there are as many as corners, each has been met. */
 static tri_status
 check_cells(const voronoi *d, verdict *out)
 {
@@ -211,10 +231,12 @@ check_cells(const voronoi *d, verdict *out)
     memory_free(met);
     if (out->holds && corners != d->vertex_first[d->vertices])
         *out = verdict_refuted("the vertices have %u corners, and the cells %u",
-                               (unsigned)d->vertex_first[d->vertices], (unsigned)corners);
+                               (unsigned)d->vertex_first[d->vertices],
+                               (unsigned)corners);
     if (out->holds && d->cell_first[d->points] != 2 * d->edges)
-        *out = verdict_refuted("%u edges in all cells: each of %u should be in two",
-                               (unsigned)d->cell_first[d->points], (unsigned)d->edges);
+        *out = verdict_refuted(
+            "%u edges in all cells: each of %u should be in two",
+            (unsigned)d->cell_first[d->points], (unsigned)d->edges);
     if (out->holds && cells != d->cells)
         *out = verdict_refuted("%u cells are announced, and there are %u",
                                (unsigned)d->cells, (unsigned)cells);
@@ -231,17 +253,19 @@ is_line_between(const voronoi *d, uint32_t k, vertex_id p, vertex_id q)
     return e.left == p && e.right == q && e.from == NONE && e.to == NONE;
 }
 
-/* Are the edges of each site's cell the lines to its neighbours in the order? */
+/* Are the edges of each cell the lines to its site's neighbours in order? */
 static verdict
 check_lines(const voronoi *d, const vertex_id *order, uint32_t u)
 {
     if (d->cells != u || d->edges != (u > 0 ? u - 1 : 0) ||
         d->cell_first[d->points] != 2 * d->edges)
         return verdict_refuted("%u cells and %u lines of %u collinear sites",
-                               (unsigned)d->cells, (unsigned)d->edges, (unsigned)u);
+                               (unsigned)d->cells, (unsigned)d->edges,
+                               (unsigned)u);
     for (uint32_t i = 0; i < u; i++) {
         vertex_id p = order[i], wanted[2];
-        uint32_t count = 0, begin = d->cell_first[p], size = d->cell_first[p + 1] - begin;
+        uint32_t begin = d->cell_first[p], count = 0;
+        uint32_t size = d->cell_first[p + 1] - begin;
         if (i > 0)
             wanted[count++] = order[i - 1];
         if (i + 1 < u)
@@ -249,10 +273,12 @@ check_lines(const voronoi *d, const vertex_id *order, uint32_t u)
         bool right = size == count;
         for (uint32_t k = 0; k < count && right; k++)
             right = is_line_between(d, d->cell_edge[begin], p, wanted[k]) ||
-                    is_line_between(d, d->cell_edge[begin + size - 1], p, wanted[k]);
+                    is_line_between(d, d->cell_edge[begin + size - 1], p,
+                                    wanted[k]);
         if (!right)
-            return verdict_with(verdict_refuted("the cell of %u does not lie between the "
-                                "lines to its neighbours", (unsigned)p), p);
+            return verdict_with(
+                verdict_refuted("the cell of %u does not lie between lines to "
+                                "its neighbours", (unsigned)p), p);
     }
     return verdict_holds();
 }

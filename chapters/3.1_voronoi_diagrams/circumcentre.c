@@ -9,8 +9,8 @@
  *     x = ----------------------------------------------------------- =  ---
  *                         2 orient2d(a, b, c)                             2 O
  *
- * and y is the x of the mirrored triangle. No double is computed from N and O: the
- * right one is found by comparing, exactly, as in a guessing game.
+ * and y is the x of the mirrored triangle. No double is computed from N and O:
+ * the right one is found by comparing, exactly, as in a guessing game.
  */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 
@@ -22,7 +22,7 @@
 
 /* ---- The doubles from 0 up, numbered. ---- */
 
-/* Doubles that are not negative are ordered as their bits are, read as integers. */
+/* Doubles that are not negative have the order of their bits as integers. */
 static uint64_t
 number_of(double x)
 {
@@ -54,9 +54,10 @@ typedef struct quotient {
     expansion_room *room; /* where N, O and what is made of them live */
 } quotient;
 
-/* Coordinates are multiples of 2^-152 and at most 2^100. Then N is a multiple of
- * 2^-456 and below 2^304, O of 2^-304 and 2^203, so unless N is 0 the quotient is
- * between 2^-660 and 2^609; products of it with O stay in range of two_product. */
+/* Coordinates are multiples of 2^-152 and at most 2^100. Then N is a multiple
+ * of 2^-456 and below 2^304, O of 2^-304 and 2^203, so unless N is 0 the
+ * quotient is between 2^-660 and 2^609; products of it with O stay in range of
+ * two_product. */
 static bool
 in_range(point2 p)
 {
@@ -76,8 +77,8 @@ product(expansion_room *room, double p, double q)
 static expansion
 term(expansion_room *room, point2 a, point2 b, point2 c)
 {
-    expansion square = expansion_plus(room, product(room, a.x, a.x),
-                                      product(room, a.y, a.y));
+    expansion square =
+        expansion_plus(room, product(room, a.x, a.x), product(room, a.y, a.y));
     return expansion_times(room, square, expansion_difference(room, b.y, c.y));
 }
 
@@ -88,10 +89,12 @@ expand(quotient *t)
     t->N = expansion_plus(room, term(room, t->a, t->b, t->c),
                           expansion_plus(room, term(room, t->b, t->c, t->a),
                                          term(room, t->c, t->a, t->b)));
-    expansion left = expansion_times(room, expansion_difference(room, t->a.x, t->c.x),
-                                     expansion_difference(room, t->b.y, t->c.y));
-    expansion right = expansion_times(room, expansion_difference(room, t->a.y, t->c.y),
-                                      expansion_difference(room, t->b.x, t->c.x));
+    expansion left =
+        expansion_times(room, expansion_difference(room, t->a.x, t->c.x),
+                        expansion_difference(room, t->b.y, t->c.y));
+    expansion right =
+        expansion_times(room, expansion_difference(room, t->a.y, t->c.y),
+                        expansion_difference(room, t->b.x, t->c.x));
     t->O = expansion_minus(room, left, right);
 }
 
@@ -103,7 +106,8 @@ sign_by_expansions(const quotient *t, double p, double q)
     int used = room->used;
     expansion sum = expansion_plus(room, expansion_difference(room, p, 0),
                                    expansion_difference(room, q, 0));
-    expansion rest = expansion_minus(room, t->N, expansion_times(room, sum, t->O));
+    expansion rest =
+        expansion_minus(room, t->N, expansion_times(room, sum, t->O));
     room->used = used;
     return expansion_sign(rest);
 }
@@ -134,7 +138,7 @@ sign_by_wide(const quotient *t, double p, double q)
     return wide_sign(&w);
 }
 
-/* Is the quotient larger (+1) or smaller (-1) than (p+q)/2, or equal to it (0)? */
+/* Is the quotient larger (+1) or smaller (-1) than (p+q)/2, or that (0)? */
 static int
 compare_with(const quotient *t, double p, double q)
 {
@@ -142,8 +146,8 @@ compare_with(const quotient *t, double p, double q)
     return sign * t->sign_of_O;
 }
 
-/* Is the quotient's magnitude at least the double with this number? Every one is
- * at least 0, and none is infinite. */
+/* Is the quotient's magnitude at least the double with this number? Every one
+ * is at least 0, and none is infinite. */
 static bool
 at_least(const quotient *t, int sign, uint64_t number)
 {
@@ -178,8 +182,8 @@ guess(const quotient *t)
     return isfinite(x) ? number_of(fabs(x)) : 0;
 }
 
-/* The number of the largest double that is at most the quotient's magnitude: from the
- * guess by steps that double, and back by halves. */
+/* The number of the largest double that is at most the quotient's magnitude:
+ * from the guess by steps that double, and back by halves. */
 static uint64_t
 search(const quotient *t, int sign)
 {
@@ -202,8 +206,8 @@ search(const quotient *t, int sign)
     return low;
 }
 
-/* The quotient rounded to nearest. Half way between two doubles, the one with the even
- * number has the even last bit. */
+/* The quotient rounded to nearest. Half way between two doubles, the one with
+ * the even number has the even last bit. */
 static tri_status
 rounded(const quotient *t, double *x)
 {
@@ -224,8 +228,9 @@ centre_x(point2 a, point2 b, point2 c, double *x)
 {
     expansion_room room;
     room.used = 0;
-    quotient t = {a, b, c, orient2d(a, b, c), in_range(a) && in_range(b) && in_range(c),
-                  {0}, {0}, &room};
+    quotient t = {.a = a, .b = b, .c = c, .room = &room};
+    t.sign_of_O = orient2d(a, b, c);
+    t.exact = in_range(a) && in_range(b) && in_range(c);
     if (t.exact)
         expand(&t);
     return rounded(&t, x);

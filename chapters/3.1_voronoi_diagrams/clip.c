@@ -59,8 +59,8 @@ scaled(point2 p, int exponent)
     return (point2){ldexp(p.x, -exponent), ldexp(p.y, -exponent)};
 }
 
-/* An exponent with which the box and everything near it is about 1: then what is far
- * enough away to overflow is not in the box. */
+/* An exponent with which the box and everything near it is about 1: then what
+ * is far enough away to overflow is not in the box. */
 static int
 size_of(point2 min, point2 max)
 {
@@ -71,8 +71,8 @@ size_of(point2 min, point2 max)
 }
 
 bool
-voronoi_edge_in_box(const voronoi *d, const point2 *points, const point2 *at, uint32_t k,
-                    point2 min, point2 max, point2 segment[2])
+voronoi_edge_in_box(const voronoi *d, const point2 *points, const point2 *at,
+                    uint32_t k, point2 min, point2 max, point2 segment[2])
 {
     int unit = size_of(min, max);
     voronoi_edge edge = d->edge[k];
@@ -97,7 +97,8 @@ voronoi_edge_in_box(const voronoi *d, const point2 *points, const point2 *at, ui
     if (!(s.t[0] <= s.t[1]))
         return false;
     for (int i = 0; i < 2; i++) {
-        point2 end = {s.from.x + s.t[i] * s.along.x, s.from.y + s.t[i] * s.along.y};
+        point2 end = {s.from.x + s.t[i] * s.along.x,
+                      s.from.y + s.t[i] * s.along.y};
         segment[i] = scaled(end, -unit);
     }
     return isfinite(s.t[0]) && isfinite(s.t[1]);
@@ -113,10 +114,12 @@ excess(point2 x, point2 p, point2 q)
     return (x.x - middle.x) * (q.x - p.x) + (x.y - middle.y) * (q.y - p.y);
 }
 
-/* Each corner inside is kept, and each side that crosses the bisector gives a corner:
- * a convex polygon has at most two such sides, and loses a corner between them. */
+/* Each corner inside is kept, and each side that crosses the bisector gives a
+ * corner: a convex polygon has at most two such sides, and loses a corner
+ * between them. */
 uint32_t
-cut_polygon(const point2 *polygon, uint32_t size, point2 p, point2 q, point2 *out)
+cut_polygon(const point2 *polygon, uint32_t size, point2 p, point2 q,
+            point2 *out)
 {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < size; i++) {
@@ -126,7 +129,8 @@ cut_polygon(const point2 *polygon, uint32_t size, point2 p, point2 q, point2 *ou
             out[kept++] = a;
         if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) {
             double t = at_a / (at_a - at_b);
-            out[kept++] = (point2){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+            out[kept++] =
+                (point2){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         }
     }
     return kept;

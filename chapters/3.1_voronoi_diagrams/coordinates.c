@@ -1,7 +1,7 @@
-/* coordinates.c - local coordinates: a site as a weighted mean of its neighbours.
+/* coordinates.c - a site as a weighted mean of its neighbours.
  *
- * Notes: section 3.1. Rounded; all coordinates are taken relative to the site p, so
- * that the weights are as good far from the origin as near it. */
+ * Notes: section 3.1. Rounded; all coordinates are taken relative to the site
+ * p, so that the weights are as good far from the origin as near it. */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 
 #include "lib/memory.h"
@@ -47,12 +47,14 @@ beyond(const voronoi *d, const point2 *points, vertex_id p, uint32_t i)
 
 /* The corner where edge i of p's cell begins, seen from p. */
 static tri_status
-corner(const voronoi *d, const point2 *points, vertex_id p, uint32_t i, point2 *at)
+corner(const voronoi *d, const point2 *points, vertex_id p, uint32_t i,
+       point2 *at)
 {
     voronoi_edge edge = d->edge[cell_edge(d, p, i)];
-    const vertex_id *site = d->vertex_site +
-        d->vertex_first[edge.left == p ? edge.from : edge.to];
-    tri_status status = circumcentre(points[site[0]], points[site[1]], points[site[2]], at);
+    const vertex_id *site =
+        d->vertex_site + d->vertex_first[edge.left == p ? edge.from : edge.to];
+    tri_status status =
+        circumcentre(points[site[0]], points[site[1]], points[site[2]], at);
     *at = minus(*at, points[p]);
     return status;
 }
@@ -72,7 +74,8 @@ normalise(double *weight, uint32_t size)
 }
 
 tri_status
-laplace_coordinates(const voronoi *d, const point2 *points, vertex_id p, double *weight)
+laplace_coordinates(const voronoi *d, const point2 *points, vertex_id p,
+                    double *weight)
 {
     assert(voronoi_is_bounded(d, p));
     uint32_t size = cell_size(d, p);
@@ -88,21 +91,22 @@ laplace_coordinates(const voronoi *d, const point2 *points, vertex_id p, double 
     return normalise(weight, size);
 }
 
-/* Twice the area, by the triangles that the sides make with the first corner. */
+/* Twice the area, by the triangles of the sides and the first corner. */
 static double
 twice_area(const point2 *polygon, uint32_t size)
 {
     double sum = 0;
     for (uint32_t i = 1; i + 1 < size; i++) {
-        point2 u = minus(polygon[i], polygon[0]), v = minus(polygon[i + 1], polygon[0]);
+        point2 u = minus(polygon[i], polygon[0]);
+        point2 v = minus(polygon[i + 1], polygon[0]);
         sum += u.x * v.y - u.y * v.x;
     }
     return sum;
 }
 
-/* What p's cell takes from q, the i-th neighbour, is the part of it that is nearer to q
- * than to the other neighbours: without p, each point of the cell is nearest to one of
- * them. The two arrays have room for cell and cuts. */
+/* What p's cell takes from q, the i-th neighbour, is the part of it that is
+ * nearer to q than to the other neighbours: without p, each point of the cell
+ * is nearest to one of them. The two arrays have room for cell and cuts. */
 static double
 taken_from(const voronoi *d, const point2 *points, vertex_id p, uint32_t i,
            const point2 *cell, point2 *polygon, point2 *other)
@@ -123,11 +127,13 @@ taken_from(const voronoi *d, const point2 *points, vertex_id p, uint32_t i,
 }
 
 tri_status
-sibson_coordinates(const voronoi *d, const point2 *points, vertex_id p, double *weight)
+sibson_coordinates(const voronoi *d, const point2 *points, vertex_id p,
+                   double *weight)
 {
     assert(voronoi_is_bounded(d, p));
     size_t size = cell_size(d, p);
-    point2 *cell = memory_array(size, 5 * sizeof *cell); /* and two of twice its size */
+    /* The cell, and two polygons of at most twice its size. */
+    point2 *cell = memory_array(size, 5 * sizeof *cell);
     if (cell == NULL)
         return TRI_OUT_OF_MEMORY;
     tri_status status = TRI_OK;
@@ -135,7 +141,8 @@ sibson_coordinates(const voronoi *d, const point2 *points, vertex_id p, double *
         status = corner(d, points, p, i, &cell[i]);
     if (status == TRI_OK) {
         for (uint32_t i = 0; i < size; i++)
-            weight[i] = taken_from(d, points, p, i, cell, cell + size, cell + 3 * size);
+            weight[i] =
+                taken_from(d, points, p, i, cell, cell + size, cell + 3 * size);
         status = normalise(weight, (uint32_t)size);
     }
     memory_free(cell);

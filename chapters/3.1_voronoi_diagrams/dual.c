@@ -1,5 +1,6 @@
-/* dual.c - Definition 6 of the notes: the Voronoi diagram, as the dual of a Delaunay
- * triangulation. A triangle becomes a vertex, an edge an edge, and a site a cell. */
+/* dual.c - Definition 6 of the notes: the Voronoi diagram, as the dual of a
+ * Delaunay triangulation. A triangle becomes a vertex, an edge an edge, and a
+ * site a cell. */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 
 #include "chapters/3.4_primitives/predicates.h"
@@ -44,15 +45,16 @@ typedef struct names {
 
 /* ---- Step 1: which edges are dual to an edge? ---- */
 
-/* Does e join two sites? (The other edges of the mesh lead from the hull outwards.) */
+/* Does e join two sites? (The other edges of the mesh lead from the hull
+ * outwards.) */
 static bool
 joins_sites(const mesh *m, halfedge_id e)
 {
     return mesh_origin(m, e) < m->points && mesh_dest(m, e) < m->points;
 }
 
-/* Are the centres on both sides of e the same point? Then the two triangles have the
- * same circle, and no edge lies between their vertices. */
+/* Are the centres on both sides of e the same point? Then the two triangles
+ * have the same circle, and no edge lies between their vertices. */
 static bool
 vanishes(const mesh *m, const point2 *points, halfedge_id e)
 {
@@ -71,7 +73,8 @@ name_edges(voronoi *d, const mesh *m, const point2 *points, names *of)
         halfedge_id twin = mesh_twin(m, e);
         if (twin < e)
             of->edge[e] = of->edge[twin];
-        else if (!joins_sites(m, e) || (points != NULL && vanishes(m, points, e)))
+        else if (!joins_sites(m, e) ||
+                 (points != NULL && vanishes(m, points, e)))
             of->edge[e] = NONE;
         else
             of->edge[e] = d->edges++;
@@ -80,9 +83,9 @@ name_edges(voronoi *d, const mesh *m, const point2 *points, names *of)
 
 /* ---- Step 2: the vertices. ---- */
 
-/* The triangles with one circle fill a convex polygon, whose sides are the edges that
- * do not vanish. Walks around that polygon from its side e; the walk turns through
- * each triangle at each of its corners, so it meets them all. */
+/* The triangles with one circle fill a convex polygon, whose sides are the
+ * edges that do not vanish. Walks around that polygon from its side e; the walk
+ * turns through each triangle at each of its corners, so it meets them all. */
 static void
 add_vertex(voronoi *d, const mesh *m, names *of, halfedge_id start)
 {
@@ -114,8 +117,9 @@ name_vertices(voronoi *d, const mesh *m, names *of)
 
 /* ---- Step 3: the ends of the edges. ---- */
 
-/* The half-edge from p to q has its triangle on its left, and so lies the triangle's
- * centre along the bisector: the Voronoi edge with p on its left ends there. */
+/* The half-edge from p to q has its triangle on its left, and so lies the
+ * triangle's centre along the bisector: the Voronoi edge with p on its left
+ * ends there. */
 static void
 fill_edges(voronoi *d, const mesh *m, const names *of)
 {
@@ -123,22 +127,25 @@ fill_edges(voronoi *d, const mesh *m, const names *of)
         uint32_t from = of->vertex[mesh_triangle_of(mesh_twin(m, e))];
         uint32_t to = of->vertex[mesh_triangle_of(e)];
         bool first = e < mesh_twin(m, e), ray = (from == NONE) != (to == NONE);
-        if (of->edge[e] != NONE && (ray ? to == NONE : first)) /* rays run outwards */
-            d->edge[of->edge[e]] = (voronoi_edge){mesh_origin(m, e), mesh_dest(m, e),
-                                                  from, to};
+        bool wanted = ray ? to == NONE : first; /* rays run outwards */
+        if (of->edge[e] != NONE && wanted)
+            d->edge[of->edge[e]] =
+                (voronoi_edge){mesh_origin(m, e), mesh_dest(m, e), from, to};
     }
 }
 
 /* ---- Step 4: the cells. ---- */
 
-/* Does the list of the cell have to begin with e rather than with best? After a gap,
- * which is outside the hull and on the right of a hull edge; else, and of two, with
- * the lowest index. */
+/* Does the list of the cell have to begin with e rather than with best? After a
+ * gap, which is outside the hull and on the right of a hull edge; else, and of
+ * two, with the lowest index. */
 static bool
 begins_before(const mesh *m, halfedge_id e, halfedge_id best)
 {
-    bool after_gap = mesh_is_hull_edge(m, e), best_is = mesh_is_hull_edge(m, best);
-    return after_gap != best_is ? after_gap : mesh_dest(m, e) < mesh_dest(m, best);
+    bool after_gap = mesh_is_hull_edge(m, e);
+    if (after_gap != mesh_is_hull_edge(m, best))
+        return after_gap;
+    return mesh_dest(m, e) < mesh_dest(m, best);
 }
 
 /* The edges of p's cell are met in the order of its star. */
@@ -150,7 +157,8 @@ fill_cell(voronoi *d, const mesh *m, const names *of, vertex_id p)
     if (leaving != NONE) {
         halfedge_id e = leaving;
         do {
-            if (of->edge[e] != NONE && (begin == NONE || begins_before(m, e, begin)))
+            if (of->edge[e] != NONE &&
+                (begin == NONE || begins_before(m, e, begin)))
                 begin = e;
             e = mesh_around(m, e);
         } while (e != leaving);

@@ -1,5 +1,6 @@
-/* figures.c - the pictures of section 3.1. The notes show a photograph (Figure 4) and two
- * pages of a survey (Figures 5 and 6): their content is drawn again from our own runs.
+/* figures.c - the pictures of section 3.1. The notes show a photograph (Figure
+ * 4) and two pages of a survey (Figures 5 and 6): their content is drawn again
+ * from our own runs.
  */
 #include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "chapters/3.5_edge_flips/flips.h"
@@ -26,7 +27,9 @@ build(const point2 *points, uint32_t n)
     must(lawson_triangulate(points, n, NULL, &g.m), "lawson_triangulate");
     must(voronoi_dual(&g.m, points, &g.d), "voronoi_dual");
     g.at = memory_array(g.d.vertices, sizeof *g.at);
-    must(g.at != NULL ? voronoi_vertices(&g.d, points, g.at) : TRI_OUT_OF_MEMORY, "vertices");
+    must(g.at != NULL ? voronoi_vertices(&g.d, points, g.at)
+                      : TRI_OUT_OF_MEMORY,
+         "vertices");
     return g;
 }
 
@@ -41,11 +44,13 @@ discard(diagram *g)
 static svg_box
 wider(svg_box box, double by)
 {
-    return (svg_box){{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+    return (svg_box){{box.min.x - by, box.min.y - by},
+                     {box.max.x + by, box.max.y + by}};
 }
 
 static void
-draw_diagram(svg *page, const diagram *g, const point2 *points, svg_box box, svg_style style)
+draw_diagram(svg *page, const diagram *g, const point2 *points, svg_box box,
+             svg_style style)
 {
     for (uint32_t k = 0; k < g->d.edges; k++) {
         point2 s[2];
@@ -56,7 +61,8 @@ draw_diagram(svg *page, const diagram *g, const point2 *points, svg_box box, svg
 
 /* The diagram thick and the triangulation thin. */
 static void
-draw_both(svg *page, const diagram *g, const point2 *points, uint32_t n, svg_box box)
+draw_both(svg *page, const diagram *g, const point2 *points, uint32_t n,
+          svg_box box)
 {
     triangle_list list;
     must(mesh_triangles(&g->m, &list), "mesh_triangles");
@@ -77,7 +83,8 @@ typedef struct shape {
 static shape
 shape_of_box(svg_box box)
 {
-    return (shape){4, {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}};
+    return (shape){
+        4, {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}};
 }
 
 static void
@@ -101,13 +108,14 @@ cell_in_box(const diagram *g, const point2 *points, svg_box box, vertex_id p)
 {
     shape s = shape_of_box(box);
     for (uint32_t i = g->d.cell_first[p]; i < g->d.cell_first[p + 1]; i++)
-        cut_shape(&s, points[p], points[voronoi_beyond(&g->d, g->d.cell_edge[i], p)]);
+        cut_shape(&s, points[p],
+                  points[voronoi_beyond(&g->d, g->d.cell_edge[i], p)]);
     return s;
 }
 
 /* ---- Figure 4: a pattern. ---- */
 
-/* Sites that crowd around the middle, like the pieces of a pane around a shot. */
+/* Sites that crowd in the middle, like the pieces of a pane around a shot. */
 static void
 draw_pattern(FILE *file)
 {
@@ -115,7 +123,8 @@ draw_pattern(FILE *file)
     point2 points[SITES];
     random_source source = random_from_seed(1908);
     for (int i = 0; i < SITES;) {
-        double x = 2 * random_unit(&source) - 1, y = 2 * random_unit(&source) - 1;
+        double x = 2 * random_unit(&source) - 1,
+               y = 2 * random_unit(&source) - 1;
         double r = sqrt(x * x + y * y);
         if (r > 0 && r < 1)
             points[i++] = (point2){x * r, y * r};
@@ -124,7 +133,8 @@ draw_pattern(FILE *file)
     diagram g = build(points, SITES);
     svg_box box = {{-0.75, -0.55}, {0.75, 0.55}};
     svg_begin(&page, file, (svg_layout){1, 1, 600, 440, 0}, "A Voronoi pattern",
-              "The cells of four hundred random sites, which crowd in the middle: they "
+              "The cells of four hundred random sites, which crowd in the "
+              "middle: they "
               "look like a pane of glass that has been shot at.");
     svg_panel(&page, box, SITES / 4, "");
     draw_diagram(&page, &g, points, box, SVG_PLAIN);
@@ -144,8 +154,10 @@ draw_eight_sites(FILE *file)
     diagram g = build(eight, 8);
     svg_box box = wider(svg_box_of(eight, 8), 1.2);
     shape cell = cell_in_box(&g, eight, box, 4);
-    svg_begin(&page, file, (svg_layout){1, 1, 480, 420, 1}, "Figure 5: eight sites",
-              "The Voronoi diagram of eight sites. The cell of site 4 is shaded: every "
+    svg_begin(&page, file, (svg_layout){1, 1, 480, 420, 1},
+              "Figure 5: eight sites",
+              "The Voronoi diagram of eight sites. The cell of site 4 is "
+              "shaded: every "
               "point of it is at least as near to 4 as to any other site.");
     char caption[80];
     snprintf(caption, sizeof caption, "%u cells, %u vertices, %u edges",
@@ -169,10 +181,12 @@ draw_dual(FILE *file)
     while (e->left != 3 && e->right != 3)
         e++;
     const vertex_id *s = g.d.vertex_site + g.d.vertex_first[e->from];
-    svg_begin(&page, file, (svg_layout){2, 1, 380, 340, 1},
-              "Figure 6: the dual is the Delaunay triangulation",
-              "Left: sites whose cells share an edge are joined. Right: a vertex is the "
-              "centre of the circle through its three sites, and no site is inside.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 380, 340, 1},
+        "Figure 6: the dual is the Delaunay triangulation",
+        "Left: sites whose cells share an edge are joined. Right: a vertex is "
+        "the "
+        "centre of the circle through its three sites, and no site is inside.");
     svg_panel(&page, box, 8, "an edge for an edge, a vertex for a triangle");
     draw_diagram(&page, &g, eight, box, SVG_FAINT);
     svg_mesh(&page, eight, &g.m);
@@ -194,7 +208,8 @@ draw_dual(FILE *file)
 
 /* The last of the first n sites, and what it does to the region of site 0. */
 static void
-draw_half_plane(svg *page, const point2 *points, uint32_t n, uint32_t all, svg_box box)
+draw_half_plane(svg *page, const point2 *points, uint32_t n, uint32_t all,
+                svg_box box)
 {
     char caption[80];
     voronoi_region before, now;
@@ -205,12 +220,15 @@ draw_half_plane(svg *page, const point2 *points, uint32_t n, uint32_t all, svg_b
         cuts = cuts || now.neighbour[i] == n - 1;
     int gone = (int)before.size + 1 - (int)now.size;
     if (!cuts)
-        snprintf(caption, sizeof caption, "%u cuts nothing off", (unsigned)n - 1);
+        snprintf(caption, sizeof caption, "%u cuts nothing off",
+                 (unsigned)n - 1);
     else if (gone == 0)
-        snprintf(caption, sizeof caption, "%u cuts off a piece", (unsigned)n - 1);
+        snprintf(caption, sizeof caption, "%u cuts off a piece",
+                 (unsigned)n - 1);
     else
-        snprintf(caption, sizeof caption, "%u cuts off %d edge%s: now it has its own",
-                 (unsigned)n - 1, gone, gone == 1 ? "" : "s");
+        snprintf(caption, sizeof caption,
+                 "%u cuts off %d edge%s: now it has its own", (unsigned)n - 1,
+                 gone, gone == 1 ? "" : "s");
 
     shape region = shape_of_box(box), lost = region;
     for (uint32_t i = 0; i < before.size; i++)
@@ -236,14 +254,17 @@ draw_half_plane(svg *page, const point2 *points, uint32_t n, uint32_t all, svg_b
 static void
 draw_half_planes(FILE *file)
 {
-    static const point2 points[] = {{3, 2.4}, {5.4, 3.4}, {1.2, 3.8}, {2.4, 0.2},
-                                    {5.4, 1.2}, {6.6, 0.4}, {1, 1.8}, {4, 2.2}};
+    static const point2 points[] = {{3, 2.4},   {5.4, 3.4}, {1.2, 3.8},
+                                    {2.4, 0.2}, {5.4, 1.2}, {6.6, 0.4},
+                                    {1, 1.8},   {4, 2.2}};
     enum { SITES = sizeof points / sizeof *points };
     svg page;
     svg_box box = wider(svg_box_of(points, SITES), 0.5);
     svg_begin(&page, file, (svg_layout){4, 2, 220, 200, 1},
-              "Definition 5, executed: the region of site 0, half-plane by half-plane",
-              "Each panel adds a site and its bisector with site 0. What was the region and "
+              "Definition 5, executed: the region of site 0, half-plane by "
+              "half-plane",
+              "Each panel adds a site and its bisector with site 0. What was "
+              "the region and "
               "is no more is grey; the region is hatched.");
     svg_panel(&page, box, SITES, "alone, 0 has the whole plane");
     shape plane = shape_of_box(box);
@@ -257,14 +278,15 @@ draw_half_planes(FILE *file)
 
 /* ---- Degenerate sites. ---- */
 
-/* One panel: the diagram of some sites, and a Delaunay triangulation below it. */
+/* One panel: the diagram of some sites, and a Delaunay triangulation. */
 static void
-draw_panel(svg *page, const point2 *points, uint32_t n, svg_box box, const char *caption)
+draw_panel(svg *page, const point2 *points, uint32_t n, svg_box box,
+           const char *caption)
 {
     diagram g = build(points, n);
     char text[120];
-    snprintf(text, sizeof text, "%s: v = %u, e = %u", caption, (unsigned)g.d.vertices,
-             (unsigned)g.d.edges);
+    snprintf(text, sizeof text, "%s: v = %u, e = %u", caption,
+             (unsigned)g.d.vertices, (unsigned)g.d.edges);
     svg_panel(page, box, n, text);
     draw_both(page, &g, points, n, box);
     discard(&g);
@@ -274,39 +296,44 @@ static void
 draw_degenerate(FILE *file)
 {
     static const point2 line[] = {{0, 2}, {3, 3}, {4.5, 3.5}, {7.5, 4.5}};
-    static const point2 circle[] = {{5, 0}, {3, 4}, {0, 5}, {-4, 3}, {-4, -3}, {0, -5},
-                                    {4, -3}};
+    static const point2 circle[] = {{5, 0},   {3, 4},  {0, 5}, {-4, 3},
+                                    {-4, -3}, {0, -5}, {4, -3}};
     point2 grid[16];
     for (int i = 0; i < 16; i++)
         grid[i] = (point2){i % 4, i / 4};
     svg page;
     svg_begin(&page, file, (svg_layout){3, 1, 250, 220, 1},
               "Collinear and cocircular sites",
-              "Collinear sites have parallel lines for edges, and no vertex. Sites on one "
-              "empty circle share one vertex, and a grid has a vertex for each square. "
+              "Collinear sites have parallel lines for edges, and no vertex. "
+              "Sites on one "
+              "empty circle share one vertex, and a grid has a vertex for each "
+              "square. "
               "Thin: one of the triangulations.");
     draw_panel(&page, line, 4, (svg_box){{-1, 0}, {8.5, 6.5}}, "collinear");
     draw_panel(&page, circle, 7, (svg_box){{-8, -6.5}, {8, 6.5}}, "cocircular");
-    draw_panel(&page, grid, 16, (svg_box){{-0.8, -0.6}, {3.8, 3.6}}, "4 x 4 grid");
+    draw_panel(&page, grid, 16, (svg_box){{-0.8, -0.6}, {3.8, 3.6}},
+               "4 x 4 grid");
     svg_end(&page);
 }
 
-/* The square has two Delaunay triangulations, with the same diagram; with a site inside
- * its circle it has one. */
+/* The square has two Delaunay triangulations, with the same diagram; with a
+ * site inside its circle it has one. */
 static void
 draw_ambiguity(FILE *file)
 {
     static const point2 square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, 0}};
     svg_box box = {{-1.9, -1.7}, {1.9, 1.7}};
     svg page;
-    svg_begin(&page, file, (svg_layout){3, 1, 240, 210, 1},
-              "Where the dual is ambiguous, and where it is not",
-              "The corners of a square have one Voronoi diagram and two Delaunay "
-              "triangulations. With a fifth site in the middle the corners are still "
-              "cocircular, and the triangulation is unique.");
+    svg_begin(
+        &page, file, (svg_layout){3, 1, 240, 210, 1},
+        "Where the dual is ambiguous, and where it is not",
+        "The corners of a square have one Voronoi diagram and two Delaunay "
+        "triangulations. With a fifth site in the middle the corners are still "
+        "cocircular, and the triangulation is unique.");
     diagram g = build(square, 4);
     for (int i = 0; i < 2; i++) {
-        svg_panel(&page, box, 5, i == 0 ? "one diagonal ..." : "... or the other");
+        svg_panel(&page, box, 5,
+                  i == 0 ? "one diagonal ..." : "... or the other");
         svg_circle(&page, square[0], square[1], square[2], SVG_FAINT);
         draw_both(&page, &g, square, 4, box);
         halfedge_id e = 0;
@@ -330,12 +357,15 @@ draw_perturbed(FILE *file)
     svg page;
     svg_begin(&page, file, (svg_layout){3, 1, 240, 220, 1},
               "A perturbation changes what is true",
-              "The middle one of the lower sites lies in the hull edge and has an unbounded cell. "
-              "Moved up a little, it is inside the hull and its cell is bounded; moved "
+              "The middle one of the lower sites lies in the hull edge and has "
+              "an unbounded cell. "
+              "Moved up a little, it is inside the hull and its cell is "
+              "bounded; moved "
               "down, it is a corner of the hull.");
     for (int i = 0; i < 3; i++) {
         const double up[] = {0, 0.4, -0.4};
-        static const char *const caption[] = {"as given", "moved up", "moved down"};
+        static const char *const caption[] = {"as given", "moved up",
+                                              "moved down"};
         const point2 points[] = {{0, 0}, {1, up[i]}, {2, 0}, {1, 2}};
         diagram g = build(points, 4);
         shape cell = cell_in_box(&g, points, box, 1);
@@ -371,23 +401,28 @@ draw_walk(FILE *file)
     vertex_id end = nearest_site(&g.m, points, x, start, &visited);
     shape cell = cell_in_box(&g, points, box, end);
     char caption[80];
-    snprintf(caption, sizeof caption, "%u comparisons among %d sites", (unsigned)visited,
-             SITES);
+    snprintf(caption, sizeof caption, "%u comparisons among %d sites",
+             (unsigned)visited, SITES);
     svg page;
-    svg_begin(&page, file, (svg_layout){1, 1, 480, 440, 1}, "A walk to the nearest site",
-              "From site to site, always to the neighbour that is nearest to the cross, "
-              "until no neighbour is nearer: then the cross lies in that site's cell.");
+    svg_begin(&page, file, (svg_layout){1, 1, 480, 440, 1},
+              "A walk to the nearest site",
+              "From site to site, always to the neighbour that is nearest to "
+              "the cross, "
+              "until no neighbour is nearer: then the cross lies in that "
+              "site's cell.");
     svg_panel(&page, box, SITES, caption);
     draw_shape(&page, &cell, SVG_NEW);
     draw_diagram(&page, &g, points, box, SVG_PLAIN);
     svg_points(&page, points, SITES, SVG_PLAIN);
-    for (vertex_id p = start; p != end;) { /* one step: p and its neighbours only */
+    for (vertex_id p = start;
+         p != end;) { /* one step: p and its neighbours only */
         vertex_id next = p;
         halfedge_id e = mesh_leaving(&g.m, p);
         do {
             vertex_id q = mesh_dest(&g.m, e);
-            if (q < SITES && hypot(points[q].x - x.x, points[q].y - x.y) <
-                             hypot(points[next].x - x.x, points[next].y - x.y))
+            if (q < SITES &&
+                hypot(points[q].x - x.x, points[q].y - x.y) <
+                    hypot(points[next].x - x.x, points[next].y - x.y))
                 next = q;
             e = mesh_around(&g.m, e);
         } while (e != mesh_leaving(&g.m, p));
@@ -403,8 +438,9 @@ draw_walk(FILE *file)
 static void
 draw_sibson(FILE *file)
 {
-    static const point2 points[] = {{3.2, 2.6}, {1, 1}, {4.4, 0.6}, {6, 2.8}, {4.2, 4.8},
-                                    {1.2, 4.2}, {-1, 2.6}, {7.4, 5.6}, {7.2, -0.4}};
+    static const point2 points[] = {{3.2, 2.6}, {1, 1},     {4.4, 0.6},
+                                    {6, 2.8},   {4.2, 4.8}, {1.2, 4.2},
+                                    {-1, 2.6},  {7.4, 5.6}, {7.2, -0.4}};
     enum { SITES = sizeof points / sizeof *points };
     svg_box box = {{-0.4, -0.4}, {7, 5.6}};
     diagram with = build(points, SITES), without = build(points + 1, SITES - 1);
@@ -412,9 +448,12 @@ draw_sibson(FILE *file)
     double weight[MOST_CORNERS];
     must(sibson_coordinates(&with.d, points, 0, weight), "sibson_coordinates");
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 340, 290, 1}, "Sibson's local coordinates",
-              "Left: the cells without site p. Right: the cell of p takes a piece from "
-              "each neighbour; its share of the area is that neighbour's weight.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 340, 290, 1},
+        "Sibson's local coordinates",
+        "Left: the cells without site p. Right: the cell of p takes a piece "
+        "from "
+        "each neighbour; its share of the area is that neighbour's weight.");
     svg_panel(&page, box, SITES, "before p comes");
     draw_diagram(&page, &without, points + 1, box, SVG_PLAIN);
     svg_points(&page, points + 1, SITES - 1, SVG_PLAIN);
@@ -424,7 +463,8 @@ draw_sibson(FILE *file)
         vertex_id q = voronoi_beyond(&with.d, with.d.cell_edge[first + i], 0);
         shape piece = cell_in_box(&with, points, box, 0);
         for (uint32_t k = 0; k < size; k++) {
-            vertex_id r = voronoi_beyond(&with.d, with.d.cell_edge[first + k], 0);
+            vertex_id r =
+                voronoi_beyond(&with.d, with.d.cell_edge[first + k], 0);
             if (r != q)
                 cut_shape(&piece, points[q], points[r]);
         }
@@ -456,5 +496,6 @@ static const figure figures[] = {
 int
 main(int argc, char **argv)
 {
-    return draw_figures(argc, argv, figures, sizeof figures / sizeof figures[0]);
+    return draw_figures(argc, argv, figures,
+                        sizeof figures / sizeof figures[0]);
 }

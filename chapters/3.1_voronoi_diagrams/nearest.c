@@ -7,8 +7,8 @@
 
 #include <stddef.h>
 
-/* The neighbour of p that is nearest to x, or p itself when none is nearer than p.
- * Adds to *visited how many have been looked at. */
+/* The neighbour of p that is nearest to x, or p itself when none is nearer than
+ * p. Adds to *visited how many have been looked at. */
 static vertex_id
 nearer_neighbour(const mesh *m, const point2 *points, point2 x, vertex_id p,
                  uint32_t *visited)
@@ -27,8 +27,9 @@ nearer_neighbour(const mesh *m, const point2 *points, point2 x, vertex_id p,
     return best;
 }
 
-/* Each step comes nearer to x, so no site is reached twice. If no neighbour is nearer
- * than p, x lies in all half-planes that bound the cell of p, so in the cell. */
+/* Each step comes nearer to x, so no site is reached twice. If no neighbour is
+ * nearer than p, x lies in all half-planes that bound the cell of p, so in the
+ * cell. */
 vertex_id
 nearest_site(const mesh *m, const point2 *points, point2 x, vertex_id start,
              uint32_t *visited)

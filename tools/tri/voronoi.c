@@ -40,7 +40,7 @@ begin_files(files *f)
             f->output[i] = begin_output(f->path[i]);
 }
 
-/* Writes what is left to be written of every file, and only then renames any. */
+/* Writes what is left of every file, and only then renames any. */
 static void
 finish_files(files *f)
 {
@@ -71,9 +71,9 @@ put_point(FILE *file, point2 p)
     put_number(file, p.y);
 }
 
-/* Triangle's .v.edge: an edge has two vertices; a ray one, -1, and the direction in
- * which it leaves. A line, which Triangle does not have: -1 twice, a point of it and
- * its direction. */
+/* Triangle's .v.edge: an edge has two vertices; a ray one, -1, and the
+ * direction in which it leaves. A line, which Triangle does not have: -1 twice,
+ * a point of it and its direction. */
 static void
 write_edges(FILE *file, const voronoi *d, const point2 *points, uint32_t first)
 {
@@ -97,7 +97,7 @@ write_edges(FILE *file, const voronoi *d, const point2 *points, uint32_t first)
     }
 }
 
-/* The pairs of sites on both sides of the edges: the edges of the triangulation. */
+/* The pairs of sites beside the edges: the edges of the triangulation. */
 static edge_list
 dual_edges(const voronoi *d)
 {
@@ -118,7 +118,8 @@ static svg_box
 picture_box(const text_points *in)
 {
     svg_box box = svg_box_of(in->points, in->count);
-    double more = fmax(box.max.x / 5 - box.min.x / 5, box.max.y / 5 - box.min.y / 5);
+    double more =
+        fmax(box.max.x / 5 - box.min.x / 5, box.max.y / 5 - box.min.y / 5);
     if (more == 0)
         more = fmax(1, fmax(fabs(box.min.x), fabs(box.min.y))) / 5;
     box.min.x = fmax(box.min.x - more, -DBL_MAX);
@@ -129,7 +130,8 @@ picture_box(const text_points *in)
 }
 
 static void
-write_diagram(FILE *file, const voronoi *d, const text_points *in, const point2 *at)
+write_diagram(FILE *file, const voronoi *d, const text_points *in,
+              const point2 *at)
 {
     svg page;
     char caption[120];
@@ -141,7 +143,8 @@ write_diagram(FILE *file, const voronoi *d, const text_points *in, const point2 
     svg_panel(&page, box, in->count, caption);
     for (uint32_t k = 0; k < d->edges; k++) {
         point2 segment[2];
-        if (voronoi_edge_in_box(d, in->points, at, k, box.min, box.max, segment))
+        if (voronoi_edge_in_box(d, in->points, at, k, box.min, box.max,
+                                segment))
             svg_segment(&page, segment[0], segment[1], SVG_PLAIN);
     }
     svg_points(&page, in->points, in->count, SVG_STRONG);
@@ -169,11 +172,13 @@ parse(int argc, char **argv)
     expect_words(argc, argv, 1, 1);
     r.points = argv[1];
     if (name == NULL && picture == NULL)
-        die_usage(argv[0], "-o or --svg is needed: there are several files to write");
+        die_usage(argv[0],
+                  "-o or --svg is needed: there are several files to write");
     if (name != NULL && strcmp(name, "-") == 0)
         die_usage(argv[0], "-o needs a name: there are several files to write");
     if (name == NULL && r.per_triangle)
-        die_usage(argv[0], "--per-triangle says what -o writes, and is without -o");
+        die_usage(argv[0],
+                  "--per-triangle says what -o writes, and is without -o");
     if (name != NULL) {
         want_file(&r.files, VERTICES, name, ".v.node");
         want_file(&r.files, EDGES, name, ".v.edge");
@@ -216,7 +221,8 @@ command_voronoi(int argc, char **argv)
 
     begin_files(&r.files);
     if (r.files.path[VERTICES] != NULL) {
-        text_write_points(r.files.output[VERTICES].file, at, d.vertices, in.first);
+        text_write_points(r.files.output[VERTICES].file, at, d.vertices,
+                          in.first);
         write_edges(r.files.output[EDGES].file, &d, in.points, in.first);
     }
     if (r.per_triangle) {
