@@ -253,12 +253,18 @@ finish_output(output *o, const char *path)
 }
 
 void
-note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles)
+note_copies(uint32_t points, uint32_t locations)
 {
     if (points > locations)
         fprintf(stderr, "tri: %lu of %lu points repeat the location of an "
                 "earlier one and are left out\n",
                 (unsigned long)(points - locations), (unsigned long)points);
+}
+
+void
+note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles)
+{
+    note_copies(points, locations);
     if (triangles > 0)
         return;
     if (locations < 3)
