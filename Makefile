@@ -121,7 +121,7 @@ test-long: all ## the same with more trials, compilers and flags; then fuzzing
 	tests/run_long.sh $(BUILD) $(TESTS)
 
 check: $(BUILD)/libtri.a $(BUILD)/weave $(BUILD)/deps ## all that can be checked without geometry
-	tools/check.sh $(BUILD)
+	+tools/check.sh $(BUILD)
 
 weave: $(BUILD)/weave ## refresh the code quoted in the pages
 	$(BUILD)/weave

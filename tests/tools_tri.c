@@ -146,6 +146,18 @@ pictures_and_statistics(void)
         CLAIM("tri.stats", has("out", names[i]), "no line %s: %s", names[i],
               read_scratch("out").text);
     run_tri(0, "check docs/data/timezones.csv $d/t.ele");
+    run_tri(0, "triangulate --algorithm divide --cuts alternating -o $d/a.ele "
+               "docs/data/timezones.csv");
+    run_tri(0, "triangulate --algorithm divide -o $d/v.ele docs/data/timezones.csv");
+    CLAIM("tri.cuts", shell("cmp -s $d/a.ele $d/v.ele") == 1, "--cuts changes nothing");
+    run_tri(0, "triangulate --algorithm incremental --locator walk --seed 3 -o $d/w.ele "
+               "docs/data/timezones.csv");
+    run_tri(0, "triangulate --algorithm incremental --locator history --seed 3 -o "
+               "$d/h.ele docs/data/timezones.csv");
+    run_tri(0, "check --delaunay docs/data/timezones.csv $d/h.ele");
+    run_tri(0, "triangulate --algorithm incremental --seed 4 -o $d/b.ele "
+               "docs/data/timezones.csv");
+    CLAIM("tri.seed", shell("cmp -s $d/b.ele $d/h.ele") == 1, "--seed changes nothing");
     run_tri(0, "triangulate --algorithm sweep -o $d/u.ele docs/data/timezones.csv");
     CLAIM("tri.direction", shell("cmp -s $d/t.ele $d/u.ele") == 1,
           "the direction changes nothing");
@@ -247,7 +259,8 @@ wrong_arguments_are_explained(void)
         "triangulate", "triangulate a b", "triangulate --algorithm", "check a",
         "triangulate --algorithm bubble a", "triangulate --fast a", "hull",
         "triangulate --direction 0,0 a", "triangulate --direction 1 a",
-        "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
+        "triangulate --cuts skew a", "triangulate --locator luck a",
+        "triangulate --seed x a", "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
         "triangulate -o x.ele -o y.ele a", "triangulate --stats -o - a",
         "generate", "generate uniform", "generate uniform many", "generate lumpy 10",
         "generate uniform -5", "generate uniform 4294967295",

@@ -273,3 +273,16 @@ note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles)
     else
         fprintf(stderr, "tri: no triangles: all points lie on one line\n");
 }
+
+uint64_t
+parse_whole(const char *name, const char *what, const char *text, uint64_t most)
+{
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    bool whole = text[0] >= '0' && text[0] <= '9' && *end == '\0';
+    if (!whole || errno != 0 || value > most)
+        die_usage(name, "%s %s: a whole number from 0 to %llu is needed",
+                  what, text, (unsigned long long)most);
+    return value;
+}

@@ -3,22 +3,8 @@
 
 #include "lib/memory.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-
-static uint64_t
-parse_whole(const char *what, const char *text, uint64_t most)
-{
-    char *end;
-    errno = 0;
-    unsigned long long value = strtoull(text, &end, 10);
-    bool whole = text[0] >= '0' && text[0] <= '9' && *end == '\0';
-    if (!whole || errno != 0 || value > most)
-        die_usage("generate", "%s %s: a whole number from 0 to %llu is needed",
-                  what, text, (unsigned long long)most);
-    return value;
-}
 
 static const distribution *
 find_distribution(const char *name)
@@ -38,9 +24,9 @@ command_generate(int argc, char **argv)
     if (path == NULL)
         path = "-";
     const distribution *d = find_distribution(argv[1]);
-    uint32_t n = (uint32_t)parse_whole("N", argv[2], UINT32_MAX - 1);
+    uint32_t n = (uint32_t)parse_whole(argv[0], "N", argv[2], UINT32_MAX - 1);
     random_source source = random_from_seed(
-        seed != NULL ? parse_whole("--seed", seed, UINT64_MAX) : 1);
+        seed != NULL ? parse_whole(argv[0], "--seed", seed, UINT64_MAX) : 1);
     check_output(path);
 
     point2 *points = memory_array(n, sizeof *points);

@@ -9,11 +9,14 @@
 
 const command commands[] = {
     {"triangulate", command_triangulate,
-     "[--algorithm NAME] [--direction DX,DY] [-o FILE] [--svg FILE] "
-     "[--stats] IN",
+     "[--algorithm NAME] [OPTIONS] [-o FILE] [--svg FILE] [--stats] IN",
      "Triangulates the points of IN.\n"
      "  --algorithm NAME   one of those below\n"
-     "  --direction DX,DY  the sweep line moves along it (1,0 if not given)\n"
+     "  --direction DX,DY  the order of the points in 2.3, 3.5 and 3.7: along\n"
+     "                     it (1,0 if not given)\n"
+     "  --cuts WORD        3.7: vertical (if not given) or alternating\n"
+     "  --locator WORD     3.6: walk, buckets (if not given) or history\n"
+     "  --seed N           3.6: names the random order (0 if not given)\n"
      "  -o FILE            the triangles, written as the ending of FILE says\n"
      "  --svg FILE         a picture\n"
      "  --stats            lines `name value` on standard output\n"

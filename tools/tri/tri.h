@@ -51,6 +51,10 @@ __attribute__((format(printf, 2, 3)))
 #endif
 _Noreturn void die_usage(const char *command, const char *sentence, ...);
 
+/* The whole number 0 .. most that the text is; `what` names it if it is none. */
+uint64_t parse_whole(const char *name, const char *what, const char *text,
+                     uint64_t most);
+
 /* Dies unless the status is TRI_OK. */
 void must(tri_status status);
 

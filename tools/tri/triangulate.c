@@ -41,6 +41,39 @@ parse_direction(const char *text)
     return d;
 }
 
+/* The place of a word among those that an option takes, in the order of its enum. */
+static int
+parse_word(const char *option, const char *text, const char *const words[], int count)
+{
+    char all[100] = "";
+    for (int i = 0; i < count; i++) {
+        if (strcmp(text, words[i]) == 0)
+            return i;
+        strcat(all, " ");
+        strcat(all, words[i]);
+    }
+    die_usage("triangulate", "%s %s: needed is one of:%s", option, text, all);
+}
+
+/* What some algorithms take, each with its default where it is not given. */
+static tri_options
+parse_options(int *argc, char **argv)
+{
+    static const char *const cuts[] = {"vertical", "alternating"};
+    static const char *const locators[] = {"walk", "buckets", "history"};
+    tri_options options = tri_options_default();
+    const char *text;
+    if ((text = take_option(argc, argv, "--direction")) != NULL)
+        options.direction = parse_direction(text);
+    if ((text = take_option(argc, argv, "--cuts")) != NULL)
+        options.cuts = (tri_cuts)parse_word("--cuts", text, cuts, 2);
+    if ((text = take_option(argc, argv, "--locator")) != NULL)
+        options.locator = (tri_locator)parse_word("--locator", text, locators, 3);
+    if ((text = take_option(argc, argv, "--seed")) != NULL)
+        options.seed = parse_whole("triangulate", "--seed", text, UINT64_MAX);
+    return options;
+}
+
 static bool
 is_stdout(const char *path)
 {
@@ -66,9 +99,8 @@ static request
 parse(int argc, char **argv)
 {
     request r = {.algorithm = default_algorithm(),
-                 .options = tri_options_default()};
+                 .options = parse_options(&argc, argv)};
     const char *name = take_option(&argc, argv, "--algorithm");
-    const char *direction = take_option(&argc, argv, "--direction");
     r.triangles = take_option(&argc, argv, "-o");
     r.picture = take_option(&argc, argv, "--svg");
     r.stats = take_flag(&argc, argv, "--stats");
@@ -78,8 +110,6 @@ parse(int argc, char **argv)
         r.algorithm = contents_find(name);
     if (r.algorithm == NULL)
         die_usage(argv[0], "there is no algorithm %s", name);
-    if (direction != NULL)
-        r.options.direction = parse_direction(direction);
     if (r.triangles == NULL && r.picture == NULL && !r.stats)
         r.triangles = "-";
     if (is_stdout(r.triangles) + is_stdout(r.picture) + r.stats > 1)
