@@ -1,10 +1,11 @@
-/* Theorems 3 and 4 over all triangulations of small sets, as the flip graph lists
- * them: a triangulation is Delaunay exactly when all its edges are locally Delaunay,
- * and exactly when no flip makes the smallest of six angles larger; the Delaunay
- * ones have the largest minimum angle, and the best sorted angles are among them.
+/* Theorems 3 and 4 over all triangulations of small sets, as the flip graph
+ * lists them: a triangulation is Delaunay exactly when all its edges are
+ * locally Delaunay, and exactly when no flip makes the smallest of six angles
+ * larger; the Delaunay ones have the largest minimum angle, and the best sorted
+ * angles are among them.
  *
- * Hypotheses: none. For angles the coordinates are whole numbers up to 1000, so that
- * cotangents are compared exactly (see 3.5_thm4_maxmin_angle.c).
+ * Hypotheses: none. For angles the coordinates are whole numbers up to 1000, so
+ * that cotangents are compared exactly (see 3.5_thm4_maxmin_angle.c).
  */
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/3.4_primitives/predicates.h"
@@ -28,14 +29,16 @@ static triangle_list
 triangles_of(const flip_graph *g, const point2 *points, uint32_t node)
 {
     triangle_list list;
-    CLAIM("flipgraph.P2", flip_graph_triangles(g, points, node, &list) == TRI_OK,
+    CLAIM("flipgraph.P2",
+          flip_graph_triangles(g, points, node, &list) == TRI_OK,
           "out of memory");
     return list;
 }
 
 /* ---- Theorem 3. ---- */
 
-/* Is the circle of each triangle empty of all n points? By trying all of them. */
+/* Is the circle of each triangle empty of all n points? By trying all
+ * of them. */
 static bool
 every_circle_is_empty(const point2 *points, uint32_t n, triangle_list list)
 {
@@ -56,13 +59,19 @@ locally_delaunay_means_delaunay(const point2 *points, uint32_t n)
         verdict v;
         bool empty = every_circle_is_empty(points, n, list);
         test_picture(list);
-        CLAIM("thm3.P2", is_delaunay(points, n, list, &v) == TRI_OK, "out of memory");
+        CLAIM("thm3.P2", is_delaunay(points, n, list, &v) == TRI_OK,
+              "out of memory");
         triangle_list_free(&list);
-        CLAIM("thm3.P2", empty || !g.is_delaunay[node], "node %u: all edges are locally "
-              "Delaunay, some circle is not empty", node);
-        CLAIM("thm3.P3", !empty || g.is_delaunay[node], "node %u: all circles are empty, "
-              "some edge is not locally Delaunay", node);
-        CLAIM("thm3.P2", v.holds == empty, "node %u: is_delaunay says %s", node, v.because);
+        CLAIM("thm3.P2", empty || !g.is_delaunay[node],
+              "node %u: all edges are locally "
+              "Delaunay, some circle is not empty",
+              node);
+        CLAIM("thm3.P3", !empty || g.is_delaunay[node],
+              "node %u: all circles are empty, "
+              "some edge is not locally Delaunay",
+              node);
+        CLAIM("thm3.P2", v.holds == empty, "node %u: is_delaunay says %s", node,
+              v.because);
     }
     flip_graph_free(&g);
 }
@@ -82,7 +91,8 @@ angle_at(point2 q, point2 p, point2 r)
     return (angle){px * rx + py * ry, cross < 0 ? -cross : cross};
 }
 
-/* -1 when s is the smaller angle, 0, +1. The smaller one has the larger cotangent. */
+/* -1 when s is the smaller angle, 0, +1. The smaller one has the larger
+ * cotangent. */
 static int
 compare_angles(angle s, angle t)
 {
@@ -109,15 +119,16 @@ angles_of(const flip_graph *g, const point2 *points, uint32_t node)
     angle_vector v = {0, malloc((list.count + 1) * 3 * sizeof *v.angle)};
     CLAIM("flipgraph.P10", v.angle != NULL, "out of memory");
     for (halfedge_id e = 0; e < 3 * list.count; e++)
-        v.angle[v.count++] = angle_at(points[side_origin(list, e)],
-                                      points[side_dest(list, e)],
-                                      points[side_apex(list, e)]);
+        v.angle[v.count++] =
+            angle_at(points[side_origin(list, e)], points[side_dest(list, e)],
+                     points[side_apex(list, e)]);
     triangle_list_free(&list);
     qsort(v.angle, v.count, sizeof *v.angle, compare_for_qsort);
     return v;
 }
 
-/* -1 when the first angle that differs is smaller in v, 0 when none does, +1. */
+/* -1 when the first angle that differs is smaller in v, 0 when none
+ * does, +1. */
 static int
 compare_vectors(angle_vector v, angle_vector w)
 {
@@ -127,8 +138,8 @@ compare_vectors(angle_vector v, angle_vector w)
     return sign;
 }
 
-/* Node 0, which is Delaunay, and the best of all nodes against every other. Returns
- * how many Delaunay triangulations have other angles than node 0. */
+/* Node 0, which is Delaunay, and the best of all nodes against every other.
+ * Returns how many Delaunay triangulations have other angles than node 0. */
 static uint32_t
 compare_all(const point2 *points, uint32_t n)
 {
@@ -143,15 +154,22 @@ compare_all(const point2 *points, uint32_t n)
     }
     for (uint32_t node = 0; node < g.nodes; node++) {
         if (vector[node].count > 0) {
-            int sign = compare_angles(vector[node].angle[0], vector[0].angle[0]);
-            CLAIM("thm4.P3", sign <= 0, "node %u has a larger minimum angle", node);
-            CLAIM("E39", sign == 0 || !g.is_delaunay[node], "node %u is Delaunay and has "
-                  "a smaller minimum angle", node);
+            int sign =
+                compare_angles(vector[node].angle[0], vector[0].angle[0]);
+            CLAIM("thm4.P3", sign <= 0, "node %u has a larger minimum angle",
+                  node);
+            CLAIM("E39", sign == 0 || !g.is_delaunay[node],
+                  "node %u is Delaunay and has "
+                  "a smaller minimum angle",
+                  node);
         }
         bool is_best = compare_vectors(vector[node], vector[best]) == 0;
-        CLAIM("flipgraph.P10", !is_best || g.is_delaunay[node], "node %u has the best "
-              "angles and is not Delaunay", node);
-        different += g.is_delaunay[node] && compare_vectors(vector[node], vector[0]) != 0;
+        CLAIM("flipgraph.P10", !is_best || g.is_delaunay[node],
+              "node %u has the best "
+              "angles and is not Delaunay",
+              node);
+        different += g.is_delaunay[node] &&
+                     compare_vectors(vector[node], vector[0]) != 0;
     }
     for (uint32_t node = 0; node < g.nodes; node++)
         free(vector[node].angle);
@@ -166,12 +184,14 @@ delaunay_has_the_best_angles(const point2 *points, uint32_t n)
     compare_all(points, n);
 }
 
-/* Six cocircular points: every triangulation is Delaunay, not all are the best. */
+/* Six cocircular points: every triangulation is Delaunay, not all are
+ * the best. */
 static void
 e39_angles_differ(const point2 *points, uint32_t n)
 {
     uint32_t different = compare_all(points, n);
-    CLAIM("E39", different > 0, "all Delaunay triangulations have the same angles");
+    CLAIM("E39", different > 0,
+          "all Delaunay triangulations have the same angles");
 }
 
 /* ---- Sibson's local equiangularity. ---- */
@@ -180,8 +200,9 @@ e39_angles_differ(const point2 *points, uint32_t n)
 static angle
 smallest_of_six(point2 a, point2 b, point2 c, point2 d)
 {
-    const angle six[] = {angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b),
-                         angle_at(b, a, d), angle_at(a, d, b), angle_at(d, b, a)};
+    const angle six[] = {angle_at(a, b, c), angle_at(b, c, a),
+                         angle_at(c, a, b), angle_at(b, a, d),
+                         angle_at(a, d, b), angle_at(d, b, a)};
     angle least = six[0];
     for (int i = 1; i < 6; i++)
         if (compare_angles(six[i], least) < 0)
@@ -189,14 +210,16 @@ smallest_of_six(point2 a, point2 b, point2 c, point2 d)
     return least;
 }
 
-/* Does the flip of ab make the smallest of the six angles larger (+1), does it leave
- * it (0), or make it smaller (-1)? */
+/* Does the flip of ab make the smallest of the six angles larger (+1), does it
+ * leave it (0), or make it smaller (-1)? */
 static int
 gain_of_flip(const mesh *m, const point2 *points, halfedge_id ab)
 {
     point2 a = points[mesh_origin(m, ab)], b = points[mesh_dest(m, ab)];
-    point2 c = points[mesh_apex(m, ab)], d = points[mesh_apex(m, mesh_twin(m, ab))];
-    return compare_angles(smallest_of_six(d, c, a, b), smallest_of_six(a, b, c, d));
+    point2 c = points[mesh_apex(m, ab)],
+           d = points[mesh_apex(m, mesh_twin(m, ab))];
+    return compare_angles(smallest_of_six(d, c, a, b),
+                          smallest_of_six(a, b, c, d));
 }
 
 static void
@@ -206,22 +229,26 @@ delaunay_is_locally_equiangular(const point2 *points, uint32_t n)
     for (uint32_t node = 0; node < g.nodes; node++) {
         triangle_list list = triangles_of(&g, points, node);
         mesh m = {0};
-        CLAIM("flipgraph.P11", list.count == 0 ||
-              mesh_from_triangles(n, list, &m) == TRI_OK, "out of memory");
+        CLAIM("flipgraph.P11",
+              list.count == 0 || mesh_from_triangles(n, list, &m) == TRI_OK,
+              "out of memory");
         triangle_list_free(&list);
         bool equiangular = true;
         for (halfedge_id ab = 0; ab < mesh_halfedges(&m); ab++) {
             if (!is_flippable(&m, points, ab))
                 continue;
             int gain = gain_of_flip(&m, points, ab);
-            CLAIM("flipgraph.P11", (gain > 0) == !is_locally_delaunay(&m, points, ab),
-                  "the flip of %u %u gains %d", mesh_origin(&m, ab), mesh_dest(&m, ab),
-                  gain);
+            CLAIM("flipgraph.P11",
+                  (gain > 0) == !is_locally_delaunay(&m, points, ab),
+                  "the flip of %u %u gains %d", mesh_origin(&m, ab),
+                  mesh_dest(&m, ab), gain);
             equiangular = equiangular && gain <= 0;
         }
         mesh_free(&m);
-        CLAIM("flipgraph.P11", equiangular == g.is_delaunay[node], "node %u is %slocally "
-              "equiangular", node, equiangular ? "" : "not ");
+        CLAIM("flipgraph.P11", equiangular == g.is_delaunay[node],
+              "node %u is %slocally "
+              "equiangular",
+              node, equiangular ? "" : "not ");
     }
     flip_graph_free(&g);
 }
@@ -232,7 +259,8 @@ static void
 on_whole_points(property *p, uint32_t n)
 {
     static const uint32_t most[] = {3, 6, 1000};
-    point2 *points = whole_points(n, most[random_below(test_random_source(), 3)]);
+    point2 *points =
+        whole_points(n, most[random_below(test_random_source(), 3)]);
     p(points, n);
     free(points);
 }
@@ -255,18 +283,23 @@ int
 main(int argc, char **argv)
 {
     const point2 circle[] = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-5, 0}, {0, -5}};
-    test_begin(argc, argv, "Theorems 3 and 4 over all triangulations of small sets");
-    test_random("locally Delaunay means Delaunay", locally_delaunay_means_delaunay, 1000,
-                8);
+    test_begin(argc, argv,
+               "Theorems 3 and 4 over all triangulations of small sets");
+    test_random("locally Delaunay means Delaunay",
+                locally_delaunay_means_delaunay, 1000, 8);
     test_near_degenerate("locally Delaunay means Delaunay",
                          locally_delaunay_means_delaunay, 1000, 8);
-    test_grid_subsets("locally Delaunay means Delaunay", locally_delaunay_means_delaunay,
-                      3);
+    test_grid_subsets("locally Delaunay means Delaunay",
+                      locally_delaunay_means_delaunay, 3);
     test_random("the best angles", best_angles_of_whole_points, 1000, 8);
     test_grid_subsets("the best angles", delaunay_has_the_best_angles, 3);
     test_random("locally equiangular", equiangular_whole_points, 1000, 8);
-    test_grid_subsets("locally equiangular", delaunay_is_locally_equiangular, 3);
+    test_grid_subsets("locally equiangular", delaunay_is_locally_equiangular,
+                      3);
     test_points("E39: the angles differ", e39_angles_differ, circle, 6);
-    return test_end((test_minima){.trials = 5000, .largest_n = 8, .zeros = 100000,
-                                  .expansions = 1000, .wide = 1000});
+    return test_end((test_minima){.trials = 5000,
+                                  .largest_n = 8,
+                                  .zeros = 100000,
+                                  .expansions = 1000,
+                                  .wide = 1000});
 }

@@ -35,6 +35,13 @@ new_set(size_t words)
     return set;
 }
 
+static bool
+has_edges(const flip_graph *g, uint32_t node, const uint64_t *set)
+{
+    const uint64_t *edges = &g->edges[node * g->words];
+    return memcmp(edges, set, g->words * sizeof *set) == 0;
+}
+
 /* The slot where the set is, or else the empty one where it belongs. There is
  * one, as at least half of all slots are empty. */
 static size_t
@@ -46,8 +53,7 @@ find_slot(const flip_graph *g, const uint64_t *set)
         hash ^= hash >> 32;
     }
     size_t s = (size_t)hash & (g->slots - 1);
-    while (g->slot[s] != NONE &&
-           memcmp(&g->edges[g->slot[s] * g->words], set, g->words * sizeof *set) != 0)
+    while (g->slot[s] != NONE && !has_edges(g, g->slot[s], set))
         s = (s + 1) & (g->slots - 1);
     return s;
 }
@@ -81,7 +87,7 @@ typedef struct walk {
     halfedge_id next; /* the half-edge to be tried next */
 
     arrival *came;        /* node -> how; as much room as in the graph */
-    uint32_t (*found)[2]; /* the edges of the graph: two nodes, the lower first */
+    uint32_t (*found)[2]; /* edges of the graph: two nodes, the lower first */
     size_t count, room;   /* of these */
 } walk;
 
@@ -98,7 +104,7 @@ rehash(flip_graph *g, uint32_t *slot, size_t slots)
         slot[find_slot(g, &g->edges[node * g->words])] = node;
 }
 
-/* Room for twice as many nodes. On false memory is out and what stood still does. */
+/* Room for twice as many nodes. On false memory is out, and nothing is lost. */
 static bool
 grow_nodes(walk *w)
 {
@@ -109,7 +115,8 @@ grow_nodes(walk *w)
     uint64_t *edges = memory_resize(g->edges, room, g->words * sizeof *edges);
     if (edges != NULL)
         g->edges = edges;
-    bool *is_delaunay = memory_resize(g->is_delaunay, room, sizeof *is_delaunay);
+    bool *is_delaunay =
+        memory_resize(g->is_delaunay, room, sizeof *is_delaunay);
     if (is_delaunay != NULL)
         g->is_delaunay = is_delaunay;
     arrival *came = memory_resize(w->came, room, sizeof *came);
@@ -145,8 +152,8 @@ add_node(walk *w)
     g->nodes++;
 }
 
-/* Remembers an edge of the graph. It is met once from either end; from the one with
- * the lower number it is kept. On false memory is out. */
+/* Remembers an edge of the graph. It is met once from either end; from the one
+ * with the lower number it is kept. On false memory is out. */
 static bool
 add_passage(walk *w, uint32_t from, uint32_t to)
 {
@@ -245,8 +252,8 @@ list_neighbours(const walk *w)
     for (size_t i = 0; i < w->count; i++)
         for (int end = 0; end < 2; end++)
             g->first[w->found[i][end]]++;
-    /* Now first[k] is the degree of k. Let it be the end of k's entries, and fill
-     * them from the back: then it ends as their beginning. */
+    /* Now first[k] is the degree of k. Let it be the end of k's entries, and
+     * fill them from the back: then it ends as their beginning. */
     for (uint32_t node = 1; node <= g->nodes; node++)
         g->first[node] += g->first[node - 1];
     for (size_t i = w->count; i > 0; i--)

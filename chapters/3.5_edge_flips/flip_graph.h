@@ -1,4 +1,4 @@
-/* flip_graph.h - all triangulations of a few points, and the flips between them.
+/* flip_graph.h - all triangulations of a few points, and the flips among them.
  *
  * Notes: section 3.5.4. Needs: flips.h, lib/edges.h. Exercises: 3.5-d.
  *
@@ -56,8 +56,8 @@ typedef struct flip_graph {
     uint32_t points;     /* n */
     uint32_t nodes;      /* triangulations found; node 0 is a Delaunay one */
     bool *is_delaunay;   /* node -> is it a Delaunay triangulation? */
-    size_t *first;       /* node -> its first entry in the next array; nodes + 1 */
-    uint32_t *neighbour; /* its neighbours: entries first[k] .. first[k+1]-1 */
+    size_t *first;       /* node -> its first entry below; nodes + 1 of them */
+    uint32_t *neighbour; /* node k has the entries first[k] .. first[k+1]-1 */
 
     /* A triangulation is known by its edges: a set with one bit for each pair
      * of points. A hash table finds the node of a set. */
@@ -71,9 +71,9 @@ typedef struct flip_graph {
 /* All triangulations of the points, found by flips.
  *
  * Each uses every location; duplicates are left out. Collinear points have one
- * triangulation, without triangles. An observer (options->trace) sees every flip
- * of the walk from triangulation to triangulation, and out->nodes grow; it can
- * stop the run, which might not end otherwise before memory does.
+ * triangulation, without triangles. An observer (options->trace) sees every
+ * flip of the walk from triangulation to triangulation, and out->nodes grow; it
+ * can stop the run, which might not end otherwise before memory does.
  * Statuses: lib/options.h; on any but TRI_OK *out is zeroed.
  * Cost: 4 flips and the lookup of C(n,2) bits for each neighbour of each node.
  * Source: notes 3.5.4.
@@ -100,7 +100,8 @@ pair_number(vertex_id a, vertex_id b)
 
 /* Is ab an edge of the triangulation? Requires: a != b. */
 static inline bool
-flip_graph_has_edge(const flip_graph *g, uint32_t node, vertex_id a, vertex_id b)
+flip_graph_has_edge(const flip_graph *g, uint32_t node, vertex_id a,
+                    vertex_id b)
 {
     size_t pair = pair_number(a, b);
     return g->edges[node * g->words + pair / 64] >> pair % 64 & 1;
@@ -121,8 +122,8 @@ tri_status flip_graph_triangles(const flip_graph *g, const point2 *points,
  * order[0 .. nodes-1] are the nodes, nearest first.
  * Requires: room for all nodes in both arrays.
  * Cost: O(nodes + edges of the graph). Source: breadth-first search. */
-void flip_graph_distances(const flip_graph *g, uint32_t from, uint32_t *distance,
-                          uint32_t *order);
+void flip_graph_distances(const flip_graph *g, uint32_t from,
+                          uint32_t *distance, uint32_t *order);
 
 /* The largest number of flips that the nearest way between two nodes can need.
  *

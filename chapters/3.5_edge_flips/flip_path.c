@@ -1,4 +1,4 @@
-/* flip_path.c - from any triangulation to any other, through one that all share. */
+/* flip_path.c - from any triangulation to any other, by way of a third one. */
 #include "chapters/3.5_edge_flips/flip_graph.h"
 
 #include "chapters/3.4_primitives/predicates.h"
@@ -8,10 +8,11 @@
 /* ---- One Delaunay triangulation among several. ---- */
 
 /* Four points on a circle lie in one plane when lifted. Then the one with the
- * lowest index, lifted more than the others, decides: at an end of ab it lifts ab
- * above cd; at an apex it lifts cd. */
+ * lowest index, lifted more than the others, decides: at an end of ab it lifts
+ * ab above cd; at an apex it lifts cd. */
 bool
-is_locally_delaunay_perturbed(const mesh *m, const point2 *points, halfedge_id ab)
+is_locally_delaunay_perturbed(const mesh *m, const point2 *points,
+                              halfedge_id ab)
 {
     halfedge_id ba = mesh_twin(m, ab);
     if (mesh_is_hull_edge(m, ab) || mesh_is_hull_edge(m, ba))
@@ -56,7 +57,9 @@ record_flip(trace *self, const mesh *m, const trace_event *event)
         return 0;
     if (r->count == r->room) {
         uint32_t room = r->room < UINT32_MAX / 4 ? 2 * r->room + 16 : 0;
-        void *larger = room == 0 ? NULL : memory_resize(r->flip, room, sizeof *r->flip);
+        void *larger = NULL;
+        if (room > 0)
+            larger = memory_resize(r->flip, room, sizeof *r->flip);
         if (larger == NULL)
             return 1; /* stops the flips */
         r->flip = larger;
@@ -70,8 +73,8 @@ record_flip(trace *self, const mesh *m, const trace_event *event)
     return 0;
 }
 
-/* A mesh of the same triangles; one without any edge if there are no triangles, as
- * there is nothing to flip then. */
+/* A mesh of the same triangles; one without any edge if there are no triangles,
+ * as there is nothing to flip then. */
 static tri_status
 copy_mesh(const mesh *m, mesh *out)
 {
@@ -105,11 +108,12 @@ record_descent(const point2 *points, const mesh *from, recorder *r)
     return status;
 }
 
-/* Down as recorded, then up by the other flips backwards: cd becomes ab again. */
+/* Down as recorded, then up by the others backwards: cd becomes ab again. */
 static tri_status
 join(const recorder *down, const recorder *up, edge_list *out)
 {
-    out->ends = memory_array((size_t)down->count + up->count, sizeof *out->ends);
+    size_t flips = (size_t)down->count + up->count;
+    out->ends = memory_array(flips, sizeof *out->ends);
     if (out->ends == NULL)
         return TRI_OUT_OF_MEMORY;
     for (uint32_t k = 0; k < down->count; k++, out->count++) {
@@ -124,7 +128,8 @@ join(const recorder *down, const recorder *up, edge_list *out)
 }
 
 tri_status
-flip_path(const point2 *points, const mesh *from, const mesh *to, edge_list *out)
+flip_path(const point2 *points, const mesh *from, const mesh *to,
+          edge_list *out)
 {
     *out = (edge_list){0};
     recorder down = {.base = {record_flip}}, up = {.base = {record_flip}};

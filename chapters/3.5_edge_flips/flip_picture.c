@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <math.h>
 
-/* How often are places looked for, and how long each time? More is hardly better. */
+/* How often are places looked for, and how long? More is hardly better. */
 enum { STARTS = 30, ROUNDS = 120 };
 
 typedef struct layout {
@@ -24,8 +24,9 @@ distance_between(point2 p, point2 q)
     return sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
 }
 
-/* Moves a node to the mean of the places that the others want it to have: in the
- * direction where it is, as far away as it is in the graph. Near ones count more. */
+/* Moves a node to the mean of the places that the others want it to have: in
+ * the direction where it is, as far away as it is in the graph. Near ones count
+ * more. */
 static void
 move_node(layout *l, uint32_t node)
 {
@@ -33,7 +34,8 @@ move_node(layout *l, uint32_t node)
     double weights = 0;
     for (uint32_t other = 0; other < l->g->nodes; other++) {
         point2 q = l->at[other];
-        double length = distance_between(p, q), wanted = l->distance[node][other];
+        double length = distance_between(p, q);
+        double wanted = l->distance[node][other];
         if (other == node || !(length > 0))
             continue;
         double weight = 1 / (wanted * wanted), stretch = wanted / length;
@@ -75,10 +77,13 @@ clearance(const layout *l)
     for (uint32_t a = 0; a < g->nodes; a++)
         for (size_t i = g->first[a]; i < g->first[a + 1]; i++) {
             uint32_t b = g->neighbour[i];
-            for (uint32_t node = 0; node < g->nodes; node++)
-                if (node != a && node != b)
-                    least = fmin(least, distance_to_segment(l->at[node], l->at[a],
-                                                            l->at[b]));
+            for (uint32_t node = 0; node < g->nodes; node++) {
+                if (node == a || node == b)
+                    continue;
+                point2 p = l->at[node];
+                double away = distance_to_segment(p, l->at[a], l->at[b]);
+                least = fmin(least, away);
+            }
         }
     return least;
 }
@@ -120,7 +125,8 @@ lay_out(layout *l)
 static point2
 shrunk(svg_box box, point2 p, point2 centre, double size)
 {
-    double width = box.max.x / 2 - box.min.x / 2, height = box.max.y / 2 - box.min.y / 2;
+    double width = box.max.x / 2 - box.min.x / 2;
+    double height = box.max.y / 2 - box.min.y / 2;
     double larger = fmax(width, height);
     if (!(larger > 0))
         return centre;
@@ -181,10 +187,12 @@ flip_graph_draw(const flip_graph *g, const point2 *points, FILE *file,
                     {box.max.x + l.size, box.max.y + l.size}};
     double width = fmin(220 + 120 * (box.max.x - box.min.x), 1200);
     double height = width * (box.max.y - box.min.y) / (box.max.x - box.min.x);
-    snprintf(caption, sizeof caption, "triangulations: %lu, flips: %lu, diameter: %lu",
+    snprintf(caption, sizeof caption,
+             "triangulations: %lu, flips: %lu, diameter: %lu",
              (unsigned long)g->nodes, (unsigned long)flip_graph_flips(g),
              (unsigned long)farthest);
-    svg_begin(&page, file, (svg_layout){1, 1, width, height, 1}, title, caption);
+    svg_begin(&page, file, (svg_layout){1, 1, width, height, 1}, title,
+              caption);
     svg_panel(&page, box, 200 + 6 * g->nodes, caption);
     for (uint32_t a = 0; a < g->nodes; a++)
         for (size_t i = g->first[a]; i < g->first[a + 1]; i++)

@@ -16,7 +16,8 @@ enum { FLIP_PICTURE_MOST_NODES = 64 };
  * The distances on the page are about those in the graph; a picture of a convex
  * polygon looks like a solid with a vertex for each triangulation, and is one.
  * Requires: at most FLIP_PICTURE_MOST_NODES nodes.
- * Source: for the places, Kamada and Kawai 1989; Gansner, Koren and North 2004. */
+ * Source: for the places, Kamada and Kawai 1989; Gansner, Koren and North 2004.
+ */
 void flip_graph_draw(const flip_graph *g, const point2 *points, FILE *file,
                      const char *title);
 

@@ -26,10 +26,10 @@ flip_graph_distances(const flip_graph *g, uint32_t from, uint32_t *distance,
     }
 }
 
-/* Searches from the nodes in turn, those farthest from node 0 first. Two nodes not
- * begun with yet are both as near to node 0 as the next one or nearer, so that the
- * way through node 0 bounds their distance: at last none can be further apart than
- * two nodes already seen (page 3.5, flipgraph.P6). */
+/* Searches from the nodes in turn, those farthest from node 0 first. Two nodes
+ * not begun with yet are both as near to node 0 as the next one or nearer, so
+ * that the way through node 0 bounds their distance: at last none can be
+ * further apart than two nodes already seen (page 3.5, flipgraph.P6). */
 tri_status
 flip_graph_diameter(const flip_graph *g, uint32_t *diameter)
 {
@@ -72,11 +72,12 @@ is_vertex(const flip_graph *g, uint32_t node, vertex_id v)
     return false;
 }
 
-/* Is the counterclockwise abc, whose sides are edges, a triangle of the node? The
- * triangles inside it share no side with those outside. They fill it, and there is
- * more than one of them exactly when they have a fourth vertex. */
+/* Is the counterclockwise abc, whose sides are edges, a triangle of the node?
+ * The triangles inside it share no side with those outside. They fill it, and
+ * there is more than one of them exactly when they have a fourth vertex. */
 static bool
-is_triangle(const flip_graph *g, const point2 *p, uint32_t node, const vertex_id t[3])
+is_triangle(const flip_graph *g, const point2 *p, uint32_t node,
+            const vertex_id t[3])
 {
     for (vertex_id d = 0; d < g->points; d++)
         if (d != t[0] && d != t[1] && d != t[2] && is_vertex(g, node, d) &&

@@ -8,9 +8,14 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Where counting ends: so many triangulations of so many points need less than half
- * a gigabyte. And where the diameter is only bounded, as that takes longer. */
-enum { MOST_NODES = 1000000, MOST_POINTS = 64, MOST_NODES_FOR_DIAMETER = 50000 };
+/* Where counting ends: so many triangulations of so many points need less than
+ * half a gigabyte. And where the diameter is only bounded, as that takes
+ * longer. */
+enum {
+    MOST_NODES = 1000000,
+    MOST_POINTS = 64,
+    MOST_NODES_FOR_DIAMETER = 50000
+};
 
 typedef struct watcher {
     trace base; /* first: see lib/trace.h */
@@ -28,7 +33,8 @@ see(trace *self, const mesh *m, const trace_event *event)
     watcher *w = (watcher *)self;
     /* The clock is asked rarely, as asking takes longer than counting. */
     if (w->terminal && ++w->flips % 65536 == 0 && time(NULL) != w->last_line) {
-        fprintf(stderr, "\rtri: %lu triangulations ", (unsigned long)w->g->nodes);
+        fprintf(stderr, "\rtri: %lu triangulations ",
+                (unsigned long)w->g->nodes);
         w->last_line = time(NULL);
     }
     return w->g->nodes > MOST_NODES;
@@ -48,15 +54,16 @@ build(const text_points *in, flip_graph *g)
     if (w.last_line != begin)
         fputc('\n', stderr);
     if (status == TRI_CANCELLED)
-        die("tri: there are more than %d triangulations: use fewer points", MOST_NODES);
+        die("tri: there are more than %d triangulations: use fewer points",
+            MOST_NODES);
     must(status);
     if (w.terminal && g->nodes > MOST_NODES_FOR_DIAMETER / 5)
         fprintf(stderr, "tri: %lu triangulations, now their distances\n",
                 (unsigned long)g->nodes);
 }
 
-/* A large distance in the graph, found by going from a node to one of those that are
- * farthest from it, several times. (It need not grow each time.) */
+/* A large distance in the graph, found by going from a node to one of those
+ * that are farthest from it, several times. (It need not grow each time.) */
 static uint32_t
 large_distance(const flip_graph *g)
 {
@@ -87,7 +94,8 @@ print_survey(const flip_graph *g)
         delaunay += g->is_delaunay[node];
     printf("triangulations %lu\n", (unsigned long)g->nodes);
     printf("flip edges %lu\n", (unsigned long)flip_graph_flips(g));
-    printf("diameter %s%lu\n", exact ? "" : "at least ", (unsigned long)diameter);
+    printf("diameter %s%lu\n", exact ? "" : "at least ",
+           (unsigned long)diameter);
     printf("delaunay %lu\n", (unsigned long)delaunay);
 }
 
@@ -97,14 +105,17 @@ command_flipgraph(int argc, char **argv)
     const char *picture = take_option(&argc, argv, "--svg");
     expect_words(argc, argv, 1, 1);
     if (picture != NULL && strcmp(picture, "-") == 0)
-        die_usage(argv[0], "--svg needs a name: the numbers go to standard output");
+        die_usage(argv[0],
+                  "--svg needs a name: the numbers go to standard output");
     check_output(picture);
     text_points in = load_points(argv[1]);
     flip_graph g;
     build(&in, &g);
     if (picture != NULL && g.nodes > FLIP_PICTURE_MOST_NODES)
-        die("tri: %lu triangulations are too many for a picture: at most %d can be told "
-            "apart", (unsigned long)g.nodes, FLIP_PICTURE_MOST_NODES);
+        die("tri: %lu triangulations are too many for a picture: at most %d "
+            "can be told "
+            "apart",
+            (unsigned long)g.nodes, FLIP_PICTURE_MOST_NODES);
     print_survey(&g);
     if (picture != NULL) {
         output o = begin_output(picture);
