@@ -1,5 +1,5 @@
-/* Section 3.6: the biased order: rounds of doubling size, each along a curve that goes
- * from neighbour to neighbour.
+/* Section 3.6: the biased order: rounds of doubling size, each along a curve that
+ * goes from neighbour to neighbour.
  *
  * Hypotheses: none.
  */
@@ -15,22 +15,24 @@ the_curve_goes_from_cell_to_cell(void)
 {
     const uint32_t side = 1u << 16;
     random_source *r = test_random_source();
-    CLAIM("biased.P1", curve_place(0, 0) == 0, "the curve begins at %u", curve_place(0, 0));
+    CLAIM("biased.P1", curve_place(0, 0) == 0, "the curve begins at %u",
+          curve_place(0, 0));
     for (int k = 0; k < 100000; k++) {
         uint32_t x = random_below(r, k % 2 == 0 ? side : 16);
         uint32_t y = random_below(r, k % 3 == 0 ? side : 16);
         uint32_t here = curve_place(x, y), after = 0, before = 0;
         for (int way = 0; way < 4; way++) {
-            uint32_t nx = x + (way == 0) - (way == 1), ny = y + (way == 2) - (way == 3);
+            uint32_t nx = x + (way == 0) - (way == 1),
+                     ny = y + (way == 2) - (way == 3);
             if (nx >= side || ny >= side)
                 continue;
             after += curve_place(nx, ny) == here + 1;
             before += curve_place(nx, ny) + 1 == here;
         }
-        CLAIM("biased.P1", after == (here != UINT32_MAX), "%u cells beside (%u,%u) come next",
-              after, x, y);
-        CLAIM("biased.P1", before == (here != 0), "%u cells beside (%u,%u) come before",
-              before, x, y);
+        CLAIM("biased.P1", after == (here != UINT32_MAX),
+              "%u cells beside (%u,%u) come next", after, x, y);
+        CLAIM("biased.P1", before == (here != 0),
+              "%u cells beside (%u,%u) come before", before, x, y);
     }
 }
 
@@ -44,8 +46,8 @@ cell_of(uint32_t c, uint32_t least, uint32_t most)
     return at < 65536 ? (uint32_t)at : 65535;
 }
 
-/* P2: a permutation; and round r, the places from 2^(r-1) on, follows the curve. The sides
- * of the box are powers of two, so that nothing is rounded. */
+/* P2: a permutation; and round r, the places from 2^(r-1) on, follows the curve.
+ * The sides of the box are powers of two, so that nothing is rounded. */
 static void
 each_round_follows_the_curve(const point2 *drawn, uint32_t n)
 {
@@ -95,7 +97,8 @@ the_rounds_are_random(void)
         vertex_id L[n];
         for (uint32_t i = 0; i < n; i++)
             L[i] = i;
-        CLAIM("biased.P2", biased_order(points, L, n, r) == TRI_OK, "out of memory");
+        CLAIM("biased.P2", biased_order(points, L, n, r) == TRI_OK,
+              "out of memory");
         for (uint32_t i = last_round; i < n; i++)
             late[L[i]]++;
     }
@@ -142,13 +145,15 @@ walks_are_short(void)
     random_source *r = test_random_source();
     for (int i = 0; i < n; i++)
         points[i] = (point2){random_unit(r), random_unit(r)};
-    double few = visits_for_each(points, n / 16, true), many = visits_for_each(points, n, true);
+    double few = visits_for_each(points, n / 16, true),
+           many = visits_for_each(points, n, true);
     double few_at_random = visits_for_each(points, n / 16, false);
     double many_at_random = visits_for_each(points, n, false);
     free(points);
-    CLAIM("biased.P3", many < 4 && many < 1.2 * few, "%.2f and %.2f triangles a walk", few, many);
-    CLAIM("biased.P3", many_at_random > 3 * few_at_random, "in random order %.1f and %.1f",
-          few_at_random, many_at_random);
+    CLAIM("biased.P3", many < 4 && many < 1.2 * few,
+          "%.2f and %.2f triangles a walk", few, many);
+    CLAIM("biased.P3", many_at_random > 3 * few_at_random,
+          "in random order %.1f and %.1f", few_at_random, many_at_random);
 }
 
 int
@@ -156,7 +161,8 @@ main(int argc, char **argv)
 {
     test_begin(argc, argv, "Section 3.6: the biased order");
     test_run("the curve", the_curve_goes_from_cell_to_cell);
-    test_random("each round follows the curve", each_round_follows_the_curve, 500, 200);
+    test_random("each round follows the curve", each_round_follows_the_curve, 500,
+                200);
     test_run("the rounds are random", the_rounds_are_random);
     test_run("walks are short", walks_are_short);
     return test_end((test_minima){.trials = 503, .largest_n = 150});

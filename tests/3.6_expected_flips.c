@@ -1,8 +1,9 @@
-/* Section 3.6.3: how many flips are expected, by equation (5): exactly, over all n! orders
- * of small sets; and within four standard errors, over many orders of a large one.
+/* Section 3.6.3: how many flips are expected, by equation (5): exactly, over all n!
+ * orders of small sets; and within four standard errors, over many orders of a
+ * large one.
  *
- * Hypotheses: general position, no three points on a line and no four on a circle: then
- * the Delaunay triangulation of every subset is unique.
+ * Hypotheses: general position, no three points on a line and no four on a circle:
+ * then the Delaunay triangulation of every subset is unique.
  */
 #include "chapters/2.3_line_sweep/sweep.h"
 #include "chapters/3.4_primitives/predicates.h"
@@ -128,8 +129,9 @@ next_order(vertex_id *L, uint32_t n)
 
 typedef struct all_orders {
     int64_t orders;
-    uint64_t flips, flips_at[MOST + 1], degree_at[MOST + 1]; /* summed over all orders */
-    rational mean; /* E[F], by equation (5) */
+    uint64_t flips, flips_at[MOST + 1],
+        degree_at[MOST + 1]; /* summed over all orders */
+    rational mean;           /* E[F], by equation (5) */
 } all_orders;
 
 /* Equation (5): each order is an outcome of probability 1/n!, F its flips. */
@@ -163,7 +165,8 @@ mean_hull(const point2 *points, uint32_t n, uint32_t i)
         if (count != i)
             continue;
         mesh m;
-        CLAIM("expected.P1", sweep_triangulate(chosen, i, NULL, &m) == TRI_OK, "no mesh");
+        CLAIM("expected.P1", sweep_triangulate(chosen, i, NULL, &m) == TRI_OK,
+              "no mesh");
         sum += mesh_hull_size(&m);
         mesh_free(&m);
         subsets++;
@@ -180,19 +183,24 @@ check_all_orders(const point2 *points, uint32_t n)
     for (uint32_t i = 3; i <= n; i++) {
         rational h = mean_hull(points, n, i);
         rational less = rational_quotient(rational_sum(six, h), rational_of(i, 1));
-        rational new = rational_sum(six, rational_product(rational_of(-1, 1), less));
+        rational new =
+            rational_sum(six, rational_product(rational_of(-1, 1), less));
         rational seen = rational_of((int64_t)all.degree_at[i], all.orders);
-        CLAIM("expected.P2", rational_equal(seen, new), "%d/%d new triangles at insertion %u, "
-              "%d/%d expected", (int)seen.num, (int)seen.den, i, (int)new.num, (int)new.den);
-        CLAIM("expected.P2", rational_value(new) < 6, "%g new triangles", rational_value(new));
+        CLAIM("expected.P2", rational_equal(seen, new),
+              "%d/%d new triangles at insertion %u, "
+              "%d/%d expected",
+              (int)seen.num, (int)seen.den, i, (int)new.num, (int)new.den);
+        CLAIM("expected.P2", rational_value(new) < 6, "%g new triangles",
+              rational_value(new));
         expected = rational_sum(expected, rational_sum(new, rational_of(-3, 1)));
-        CLAIM("E45", all.flips_at[i] <= 3 * (uint64_t)all.orders, "%u flips at insertion %u",
-              (unsigned)all.flips_at[i], i);
+        CLAIM("E45", all.flips_at[i] <= 3 * (uint64_t)all.orders,
+              "%u flips at insertion %u", (unsigned)all.flips_at[i], i);
     }
-    CLAIM("expected.P1", rational_equal(all.mean, expected), "%d/%d flips, %d/%d expected",
-          (int)all.mean.num, (int)all.mean.den, (int)expected.num, (int)expected.den);
-    CLAIM("expected.P3", all.flips <= 3 * n * (uint64_t)all.orders, "%u flips in all orders",
-          (unsigned)all.flips);
+    CLAIM("expected.P1", rational_equal(all.mean, expected),
+          "%d/%d flips, %d/%d expected", (int)all.mean.num, (int)all.mean.den,
+          (int)expected.num, (int)expected.den);
+    CLAIM("expected.P3", all.flips <= 3 * n * (uint64_t)all.orders,
+          "%u flips in all orders", (unsigned)all.flips);
 }
 
 static void
@@ -211,27 +219,29 @@ equation_5_of_small_sets(const point2 *drawn, uint32_t n)
 static void
 equation_5_in_convex_position(void)
 {
-    const point2 points[MOST] = {{1, 1}, {13, 169}, {4, 16}, {2, 4}, {11, 121}, {7, 49},
-                                 {5, 25}};
+    const point2 points[MOST] = {{1, 1},    {13, 169}, {4, 16}, {2, 4},
+                                 {11, 121}, {7, 49},   {5, 25}};
     for (uint32_t n = 3; n <= MOST; n++) {
-        CLAIM("expected.P1", is_in_general_position(points, n), "choose other points");
+        CLAIM("expected.P1", is_in_general_position(points, n),
+              "choose other points");
         check_all_orders(points, n);
         all_orders all = run_all_orders(points, n);
         rational expected = rational_of(0, 1);
         for (uint32_t i = 3; i <= n; i++)
             expected = rational_sum(expected, rational_of(2 * (int64_t)i - 6, i));
-        CLAIM("expected.P1", rational_equal(all.mean, expected), "n = %u: %d/%d flips", n,
-              (int)all.mean.num, (int)all.mean.den);
+        CLAIM("expected.P1", rational_equal(all.mean, expected),
+              "n = %u: %d/%d flips", n, (int)all.mean.num, (int)all.mean.den);
     }
 }
 
 /* E45: nested triangles, whose hulls are small: more flips than the printed sum
- * 3n (n-1)! + 3(n-1) (n-2)! + ... allows, at the last insertion but one and together. */
+ * 3n (n-1)! + 3(n-1) (n-2)! + ... allows, at the last insertion but one and
+ * together. */
 static void
 e45_the_printed_sum_is_no_bound(void)
 {
-    const point2 points[MOST] = {{-100, -90}, {101, -85}, {3, 130}, {-7, -11}, {13, -6},
-                                 {1, 17}, {2, 1}};
+    const point2 points[MOST] = {{-100, -90}, {101, -85}, {3, 130}, {-7, -11},
+                                 {13, -6},    {1, 17},    {2, 1}};
     CLAIM("E45", is_in_general_position(points, MOST), "choose other points");
     all_orders all = run_all_orders(points, MOST);
     uint64_t factorial = 1, sum = 0, last_but_one = 0;
@@ -241,8 +251,8 @@ e45_the_printed_sum_is_no_bound(void)
         if (i + 1 == MOST)
             last_but_one = 3 * factorial; /* 3(n-1) (n-2)! */
     }
-    CLAIM("E45", all.flips > sum, "%u flips, the printed sum is %u", (unsigned)all.flips,
-          (unsigned)sum);
+    CLAIM("E45", all.flips > sum, "%u flips, the printed sum is %u",
+          (unsigned)all.flips, (unsigned)sum);
     CLAIM("E45", all.flips_at[MOST - 1] > last_but_one, "%u flips at insertion %d",
           (unsigned)all.flips_at[MOST - 1], MOST - 1);
     check_all_orders(points, MOST);
@@ -297,10 +307,11 @@ flips_of_a_large_set(void)
         expected += 3 - (6 + hull[i] / orders) / i;
     double mean = sum / orders;
     double error = 4 * sqrt((squares / orders - mean * mean) / orders);
-    printf("# flips: %.1f +- %.1f, %.1f expected, 3n = %d\n", mean, error, expected, 3 * n);
+    printf("# flips: %.1f +- %.1f, %.1f expected, 3n = %d\n", mean, error, expected,
+           3 * n);
     fflush(stdout);
-    CLAIM("expected.P1", fabs(mean - expected) < error, "%.1f +- %.1f flips, %.1f expected",
-          mean, error, expected);
+    CLAIM("expected.P1", fabs(mean - expected) < error,
+          "%.1f +- %.1f flips, %.1f expected", mean, error, expected);
     CLAIM("expected.P3", mean - error <= 3 * n, "%.1f flips", mean);
 }
 

@@ -1,5 +1,5 @@
-/* Figure 12, IncrementalFlip: after each point the triangulation is Delaunay, and the
- * flips that made it so are as many as the new vertex has edges, less three.
+/* Figure 12, IncrementalFlip: after each point the triangulation is Delaunay, and
+ * the flips that made it so are as many as the new vertex has edges, less three.
  *
  * Hypotheses: none. Every finite input in every order; points on edges, on hull
  * edges, in line with them, duplicates, collinear beginnings and 0 to 3 points are
@@ -58,7 +58,8 @@ check_delaunay_so_far(const mesh *m, const point2 *points)
 {
     uint32_t u = 0;
     point2 *present = malloc(m->points * sizeof *present);
-    vertex_id *name = malloc(m->points * sizeof *name); /* vertex -> its index there */
+    vertex_id *name =
+        malloc(m->points * sizeof *name); /* vertex -> its index there */
     triangle_list list = {0};
     verdict v = verdict_holds();
     for (vertex_id i = 0; i < m->points; i++)
@@ -86,17 +87,18 @@ check_insertion(const mesh *m, watcher *w)
     if (w->p == NONE)
         return;
     uint32_t d = degree(m, w->p);
-    CLAIM("fig12.P5", w->flips == d - w->begun, "%u flips made degree %u of %u", w->flips, d,
-          w->begun);
-    CLAIM("fig12.P6", w->pops <= w->begun + 2 * w->flips, "%u edges were popped for %u flips",
-          w->pops, w->flips);
+    CLAIM("fig12.P5", w->flips == d - w->begun, "%u flips made degree %u of %u",
+          w->flips, d, w->begun);
+    CLAIM("fig12.P6", w->pops <= w->begun + 2 * w->flips,
+          "%u edges were popped for %u flips", w->pops, w->flips);
     if (!w->thorough)
         return;
     mesh now = mesh_so_far(m);
     claim_verdict("fig12.P2", mesh_check(&now));
     for (halfedge_id e = 0; e < mesh_halfedges(m); e++)
         CLAIM("fig12.P4", is_locally_delaunay_at_infinity(m, w->points, e),
-              "edge %u %u is not locally Delaunay", mesh_origin(m, e), mesh_dest(m, e));
+              "edge %u %u is not locally Delaunay", mesh_origin(m, e),
+              mesh_dest(m, e));
     check_delaunay_so_far(m, w->points);
 }
 
@@ -105,9 +107,10 @@ static void
 check_flip(const watcher *w, const trace_event *f)
 {
     const point2 *at = w->points;
-    CLAIM("fig12.P3", f->c == w->p || f->d == w->p, "%u %u became %u %u without %u", f->a,
-          f->b, f->c, f->d, w->p);
-    CLAIM("fig12.P3", f->c != GHOST && f->d != GHOST, "%u was joined to infinity", w->p);
+    CLAIM("fig12.P3", f->c == w->p || f->d == w->p, "%u %u became %u %u without %u",
+          f->a, f->b, f->c, f->d, w->p);
+    CLAIM("fig12.P3", f->c != GHOST && f->d != GHOST, "%u was joined to infinity",
+          w->p);
     CLAIM("fig12.P3", f->a == GHOST || orient2d(at[f->d], at[f->c], at[f->a]) > 0,
           "%u %u %u is flat", f->d, f->c, f->a);
     CLAIM("fig12.P3", f->b == GHOST || orient2d(at[f->c], at[f->d], at[f->b]) > 0,
@@ -128,8 +131,9 @@ check_split(const mesh *m, watcher *w, vertex_id p)
     halfedge_id first = mesh_leaving(m, p), e = first;
     do {
         vertex_id b = mesh_dest(m, e), c = mesh_apex(m, e);
-        CLAIM("fig12.P2", b == GHOST || c == GHOST ||
-              orient2d(w->points[p], w->points[b], w->points[c]) > 0,
+        CLAIM("fig12.P2",
+              b == GHOST || c == GHOST ||
+                  orient2d(w->points[p], w->points[b], w->points[c]) > 0,
               "%u %u %u is flat", p, b, c);
         e = mesh_around(m, e);
     } while (e != first);
@@ -153,7 +157,8 @@ see(trace *self, const mesh *m, const trace_event *event)
 static watcher
 new_watcher(const point2 *points, bool thorough)
 {
-    return (watcher){.observer = {see}, .points = points, .p = NONE, .thorough = thorough};
+    return (watcher){
+        .observer = {see}, .points = points, .p = NONE, .thorough = thorough};
 }
 
 /* ---- The statements. ---- */
@@ -166,7 +171,8 @@ check_delaunay(const mesh *m, const point2 *points)
     claim_verdict("fig12.P4", mesh_check(m));
     CLAIM("fig12.P4", mesh_triangles(m, &list) == TRI_OK, "out of memory");
     test_picture(list);
-    CLAIM("fig12.P4", is_delaunay(points, m->points, list, &v) == TRI_OK, "out of memory");
+    CLAIM("fig12.P4", is_delaunay(points, m->points, list, &v) == TRI_OK,
+          "out of memory");
     triangle_list_free(&list);
     claim_verdict("fig12.P4", v);
 }
@@ -182,8 +188,8 @@ insert_watched(const point2 *points, uint32_t n, tri_locator kind, bool thorough
     mesh m;
     tri_status status = incremental_triangulate(points, n, &options, &m);
     CLAIM("fig12.P4", status == TRI_OK, "%s", tri_status_text(status));
-    CLAIM("fig12.P4", m.locations < 2 || w.inserted == m.locations - 2, "%u of %u inserted",
-          w.inserted, m.locations);
+    CLAIM("fig12.P4", m.locations < 2 || w.inserted == m.locations - 2,
+          "%u of %u inserted", w.inserted, m.locations);
     check_insertion(&m, &w);
     check_delaunay(&m, points);
     mesh_free(&m);
@@ -193,7 +199,8 @@ insert_watched(const point2 *points, uint32_t n, tri_locator kind, bool thorough
 static void
 every_step_is_delaunay(const point2 *points, uint32_t n)
 {
-    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3), true);
+    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3),
+                   true);
 }
 
 /* The result, with all locators. */
@@ -207,7 +214,8 @@ all_locators_give_delaunay(const point2 *points, uint32_t n)
 static void
 some_locator_gives_delaunay(const point2 *points, uint32_t n)
 {
-    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3), false);
+    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3),
+                   false);
 }
 
 static void
@@ -235,17 +243,21 @@ a_far_point_is_like_infinity(const point2 *drawn, uint32_t n)
     for (uint32_t i = 0; i + 2 < n; i++) {
         point2 x = points[i], y = points[i + 1], q = points[i + 2];
         double far = 0x1p40;
-        point2 z = {x.x + far * (y.y - x.y), x.y - far * (y.x - x.x)}; /* right of xy */
+        point2 z = {x.x + far * (y.y - x.y),
+                    x.y - far * (y.x - x.x)}; /* right of xy */
         if ((x.x == y.x && x.y == y.y) || orient2d(x, y, q) == 0)
             continue;
         const point2 corner[3] = {y, x, q};
-        CLAIM("fig12.P1", (incircle(y, x, z, q) > 0) == circle_contains(corner, 0, 1, GHOST, 2),
-              "(%g,%g) and the circle of (%g,%g), (%g,%g) and a far point", q.x, q.y, x.x, x.y,
-              y.x, y.y);
-        CLAIM("fig12.P1", circle_contains(corner, 0, 1, GHOST, 2) ==
-              circle_contains(corner, GHOST, 0, 1, 2) &&
-              circle_contains(corner, 1, GHOST, 0, 2) ==
-              circle_contains(corner, 0, 1, GHOST, 2), "GHOST in another corner");
+        CLAIM("fig12.P1",
+              (incircle(y, x, z, q) > 0) == circle_contains(corner, 0, 1, GHOST, 2),
+              "(%g,%g) and the circle of (%g,%g), (%g,%g) and a far point", q.x,
+              q.y, x.x, x.y, y.x, y.y);
+        CLAIM("fig12.P1",
+              circle_contains(corner, 0, 1, GHOST, 2) ==
+                      circle_contains(corner, GHOST, 0, 1, 2) &&
+                  circle_contains(corner, 1, GHOST, 0, 2) ==
+                      circle_contains(corner, 0, 1, GHOST, 2),
+              "GHOST in another corner");
     }
     free(points);
 }
@@ -263,7 +275,8 @@ degree_after_split(const point2 *points, uint32_t n)
     options.order = order;
     options.trace = &w.observer;
     mesh m;
-    CLAIM("E42", incremental_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
+    CLAIM("E42", incremental_triangulate(points, n, &options, &m) == TRI_OK,
+          "no mesh");
     CLAIM("E42", w.p == m.locations - 1, "the last split is that of %u", w.p);
     mesh_free(&m);
     return w.begun;
@@ -274,7 +287,8 @@ e42_on_an_edge_the_degree_begins_at_four(void)
 {
     const point2 points[] = {{0, 0}, {4, 0}, {0, 4}, {4, 4}, {2, 2}, {2, 2}};
     const point2 on_hull[] = {{0, 0}, {4, 0}, {0, 4}, {2, 0}};
-    const point2 on_path[] = {{0, 0}, {4, 4}, {3, 3}}, beyond[] = {{0, 0}, {3, 3}, {4, 4}};
+    const point2 on_path[] = {{0, 0}, {4, 4}, {3, 3}},
+                 beyond[] = {{0, 0}, {3, 3}, {4, 4}};
     uint32_t seen = degree_after_split(points, 4);
     CLAIM("E42", seen == 3, "outside the hull: degree %u", seen);
     seen = degree_after_split(points, 5);
@@ -332,19 +346,25 @@ a_given_order_is_followed(void)
     options.order = order;
     mesh m;
     options.trace = &f.observer;
-    CLAIM("fig12.P4", incremental_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
-    CLAIM("fig12.P4", f.splits == m.locations - 2, "%u points were split in", f.splits);
+    CLAIM("fig12.P4", incremental_triangulate(points, n, &options, &m) == TRI_OK,
+          "no mesh");
+    CLAIM("fig12.P4", f.splits == m.locations - 2, "%u points were split in",
+          f.splits);
     mesh_free(&m);
     options.trace = NULL;
     order[7] = order[8];
-    CLAIM("fig12.P4", incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION &&
-          m.halfedge == NULL, "an order that names a point twice was accepted");
+    CLAIM("fig12.P4",
+          incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION &&
+              m.halfedge == NULL,
+          "an order that names a point twice was accepted");
     order[7] = n;
-    CLAIM("fig12.P4", incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
+    CLAIM("fig12.P4",
+          incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
           "an order that names no point was accepted");
     options.order = NULL;
     options.locator = (tri_locator)3;
-    CLAIM("fig12.P4", incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
+    CLAIM("fig12.P4",
+          incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
           "a fourth locator was accepted");
 }
 
@@ -372,18 +392,21 @@ it_can_be_stopped_and_memory_may_run_out(void)
         options.order = kind == 0 ? order : NULL;
         options.trace = &stop;
         mesh m;
-        CLAIM("fig12.P4", (kind < 3 ? incremental_triangulate : biased_triangulate)
-              (points, n, &options, &m) == TRI_CANCELLED && m.halfedge == NULL,
+        CLAIM("fig12.P4",
+              (kind < 3 ? incremental_triangulate : biased_triangulate)(
+                  points, n, &options, &m) == TRI_CANCELLED &&
+                  m.halfedge == NULL,
               "the observer could not stop it");
         options.trace = NULL;
         tri_status status = TRI_OUT_OF_MEMORY;
         unsigned long k = 1;
         for (; status == TRI_OUT_OF_MEMORY; k++) {
             memory_fail_at(k);
-            status = (kind < 3 ? incremental_triangulate : biased_triangulate)
-                (points, n, &options, &m);
+            status = (kind < 3 ? incremental_triangulate
+                               : biased_triangulate)(points, n, &options, &m);
             memory_fail_at(0);
-            CLAIM("fig12.P4", status == TRI_OK || m.halfedge == NULL, "allocation %lu", k);
+            CLAIM("fig12.P4", status == TRI_OK || m.halfedge == NULL,
+                  "allocation %lu", k);
         }
         CLAIM("fig12.P4", status == TRI_OK && k > 5, "allocation %lu: %s", k,
               tri_status_text(status));
@@ -395,7 +418,8 @@ it_can_be_stopped_and_memory_may_run_out(void)
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "Figure 12: IncrementalFlip is Delaunay after each point");
+    test_begin(argc, argv,
+               "Figure 12: IncrementalFlip is Delaunay after each point");
     test_random("every step", every_step_is_delaunay, 1500, 30);
     test_near_degenerate("every step", every_step_is_delaunay, 2000, 20);
     test_grid_subsets("every step", every_step_is_delaunay, 3);
@@ -404,11 +428,15 @@ main(int argc, char **argv)
     test_grid_subsets("all locators", all_locators_give_delaunay, 3);
     test_grid_subsets("some locator", some_locator_gives_delaunay, 4);
     test_random("the biased order", the_biased_order_gives_delaunay, 500, 150);
-    test_near_degenerate("the biased order", the_biased_order_gives_delaunay, 1000, 40);
+    test_near_degenerate("the biased order", the_biased_order_gives_delaunay, 1000,
+                         40);
     test_random("a far point", a_far_point_is_like_infinity, 500, 40);
     test_run("E42: on an edge", e42_on_an_edge_the_degree_begins_at_four);
     test_run("orders", a_given_order_is_followed);
     test_run("stopped, out of memory", it_can_be_stopped_and_memory_may_run_out);
-    return test_end((test_minima){.trials = 60000, .largest_n = 140, .zeros = 100000,
-                                  .expansions = 1000, .wide = 1000});
+    return test_end((test_minima){.trials = 60000,
+                                  .largest_n = 140,
+                                  .zeros = 100000,
+                                  .expansions = 1000,
+                                  .wide = 1000});
 }

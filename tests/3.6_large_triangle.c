@@ -1,6 +1,7 @@
 /* Section 3.6, line 1 of Figure 12: no finite triangle xyz is sufficiently large.
  *
- * Hypotheses: the errata's witnesses; for E41 and E46 some points inside a triangle.
+ * Hypotheses: the errata's witnesses; for E41 and E46 some points inside a
+ * triangle.
  */
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flips.h"
@@ -10,8 +11,8 @@
 
 #include <stdlib.h>
 
-/* Is what xyz leaves over a Delaunay triangulation? *lost is how many triangles fewer than
- * the vertex at infinity leaves. */
+/* Is what xyz leaves over a Delaunay triangulation? *lost is how many triangles
+ * fewer than the vertex at infinity leaves. */
 static bool
 xyz_is_large_enough(const point2 *points, uint32_t n, double k, uint32_t *lost)
 {
@@ -51,8 +52,8 @@ e40_no_triangle_is_large_enough(void)
     }
 }
 
-/* Of the triangles of D_n few have all of x, y and z for corners: only the first, and
- * none once a point has been inserted. And the degrees add up as E46 says. */
+/* Of the triangles of D_n few have all of x, y and z for corners: only the first,
+ * and none once a point has been inserted. And the degrees add up as E46 says. */
 static void
 lines_1_and_8(const point2 *drawn, uint32_t n)
 {
@@ -66,12 +67,14 @@ lines_1_and_8(const point2 *drawn, uint32_t n)
     tri_options options = tri_options_default();
     options.order = order;
     mesh m;
-    bool one_point = points[count].x == points[count + 1].x; /* the box has no size */
+    bool one_point =
+        points[count].x == points[count + 1].x; /* the box has no size */
     tri_status status = incremental_triangulate(points, count + 3, &options, &m);
     free(order);
     free(points);
     CLAIM("E41", status == TRI_OK, "%s", tri_status_text(status));
-    uint32_t all_three = 0, some = 0, degrees = 0, at_sites = 0, sites = m.locations - 3;
+    uint32_t all_three = 0, some = 0, degrees = 0, at_sites = 0,
+             sites = m.locations - 3;
     for (halfedge_id e = 0; e < mesh_halfedges(&m); e++) {
         bool finite = mesh_origin(&m, e) != GHOST && mesh_dest(&m, e) != GHOST;
         degrees += finite;
@@ -87,11 +90,11 @@ lines_1_and_8(const point2 *drawn, uint32_t n)
     mesh_free(&m);
     if (one_point)
         return;
-    CLAIM("E41", all_three == 0 && some > 0, "%u triangles have x, y and z, %u one of them",
-          all_three, some);
+    CLAIM("E41", all_three == 0 && some > 0,
+          "%u triangles have x, y and z, %u one of them", all_three, some);
     CLAIM("E46", degrees == 6 * sites + 6 && at_sites <= 6 * sites - 3,
-          "%u sites: all degrees add up to %u, those of the sites to %u", sites, degrees,
-          at_sites);
+          "%u sites: all degrees add up to %u, those of the sites to %u", sites,
+          degrees, at_sites);
 }
 
 int

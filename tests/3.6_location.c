@@ -1,8 +1,8 @@
 /* Section 3.6.4: a straight walk, buckets and the history graph find the triangle.
  *
- * Hypotheses: the walk needs a triangulation, Delaunay or not, and a point that is no
- * vertex; buckets and history need nothing. Points may lie on edges, in line with
- * edges and with the hull, and outside.
+ * Hypotheses: the walk needs a triangulation, Delaunay or not, and a point that is
+ * no vertex; buckets and history need nothing. Points may lie on edges, in line
+ * with edges and with the hull, and outside.
  */
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/3.4_primitives/predicates.h"
@@ -27,10 +27,12 @@ typedef struct walker {
     uint32_t missed; /* visited triangles that the segment does not meet */
 } walker;
 
-/* Does the segment from `from` to `to` meet the triangle of e? They do if the corners are
- * not all strictly on one side of its line, nor both its ends strictly beyond one side. */
+/* Does the segment from `from` to `to` meet the triangle of e? They do if the
+ * corners are not all strictly on one side of its line, nor both its ends strictly
+ * beyond one side. */
 static bool
-segment_meets(const mesh *m, const point2 *points, halfedge_id e, point2 from, point2 to)
+segment_meets(const mesh *m, const point2 *points, halfedge_id e, point2 from,
+              point2 to)
 {
     int left = 0, right = 0;
     for (int i = 0; i < 3; i++) {
@@ -38,7 +40,8 @@ segment_meets(const mesh *m, const point2 *points, halfedge_id e, point2 from, p
         int side = orient2d(from, to, points[a]);
         left += side > 0;
         right += side < 0;
-        if (orient2d(points[a], points[b], from) < 0 && orient2d(points[a], points[b], to) < 0)
+        if (orient2d(points[a], points[b], from) < 0 &&
+            orient2d(points[a], points[b], to) < 0)
             return false;
         e = mesh_next(e);
     }
@@ -65,29 +68,34 @@ static const char *
 wrong_place(const mesh *m, const point2 *points, place at, point2 p)
 {
     point2 a = points[mesh_origin(m, at.e)];
-    if (at.kind == PLACE_BEYOND) { /* the path ends at a, and p is in line behind it */
+    if (at.kind == PLACE_BEYOND) { /* the path ends at a, p is in line behind it */
         point2 before = points[mesh_dest(m, at.e)];
-        return !mesh_is_hull_edge(m, at.e) || mesh_hull_prev(m, at.e) != mesh_twin(m, at.e) ||
-               orient2d(before, a, p) != 0 || is_same_side(a, before, p)
-            ? "not beyond the end of the path" : NULL;
+        return !mesh_is_hull_edge(m, at.e) ||
+                       mesh_hull_prev(m, at.e) != mesh_twin(m, at.e) ||
+                       orient2d(before, a, p) != 0 || is_same_side(a, before, p)
+                   ? "not beyond the end of the path"
+                   : NULL;
     }
     if (at.kind == PLACE_EDGE) {
         point2 b = points[mesh_dest(m, at.e)];
-        return orient2d(a, b, p) != 0 || !is_same_side(a, b, p) || !is_same_side(b, a, p)
-            ? "not on that edge" : NULL;
+        return orient2d(a, b, p) != 0 || !is_same_side(a, b, p) ||
+                       !is_same_side(b, a, p)
+                   ? "not on that edge"
+                   : NULL;
     }
     halfedge_id e = at.e;
     for (int i = 0; i < 3; i++) {
         vertex_id from = mesh_origin(m, e), to = mesh_dest(m, e);
-        if (from != GHOST && to != GHOST && orient2d(points[from], points[to], p) <= 0)
+        if (from != GHOST && to != GHOST &&
+            orient2d(points[from], points[to], p) <= 0)
             return "not inside that triangle";
         e = mesh_next(e);
     }
     return NULL;
 }
 
-/* Removes one of the points, triangulates the others in any way, and walks to it from
- * every vertex. */
+/* Removes one of the points, triangulates the others in any way, and walks to it
+ * from every vertex. */
 static void
 the_walk_finds_the_place(const point2 *points, uint32_t n)
 {
@@ -102,7 +110,8 @@ the_walk_finds_the_place(const point2 *points, uint32_t n)
     for (vertex_id v = 0; v < u && !is_vertex; v++) {
         if (mesh_leaving(&m, v) == NONE)
             continue;
-        walker w = {.observer = {see_visit}, .points = points, .from = points[v], .to = p};
+        walker w = {
+            .observer = {see_visit}, .points = points, .from = points[v], .to = p};
         w.visited = calloc(m.triangles, sizeof *w.visited);
         m.trace = &w.observer;
         place at = straight_walk(&m, points, v, p);
@@ -110,13 +119,14 @@ the_walk_finds_the_place(const point2 *points, uint32_t n)
         const char *wrong = wrong_place(&m, points, at, p);
         CLAIM("walk.P1", wrong == NULL, "from %u: %s", v, wrong);
         CLAIM("walk.P2", w.again == 0, "%u triangles visited again", w.again);
-        CLAIM("walk.P2", w.missed == 0, "%u triangles are not on the way", w.missed);
+        CLAIM("walk.P2", w.missed == 0, "%u triangles are not on the way",
+              w.missed);
     }
     mesh_free(&m);
 }
 
-/* P3: a walk asks 2 tests for each visited triangle, besides those at its first vertex and
- * at most 3 in the last triangle. Counted when nobody else asks. */
+/* P3: a walk asks 2 tests for each visited triangle, besides those at its first
+ * vertex and at most 3 in the last triangle. Counted when nobody else asks. */
 static void
 the_walk_is_cheap(const point2 *points, uint32_t n)
 {
@@ -163,7 +173,8 @@ e51_a_walk_can_meet_every_triangle(void)
         }
         points[n - 1] = (point2){1.5, -1};
         mesh m;
-        CLAIM("E51", lawson_triangulate(points, n - 1, NULL, &m) == TRI_OK, "no mesh");
+        CLAIM("E51", lawson_triangulate(points, n - 1, NULL, &m) == TRI_OK,
+              "no mesh");
         uint32_t strip = 2 * (n - 1) - 2 - mesh_hull_size(&m);
         mesh_free(&m);
         CLAIM("E51", lawson_triangulate(points, n, NULL, &m) == TRI_OK, "no mesh");
@@ -188,29 +199,32 @@ e51_a_walk_can_meet_every_triangle(void)
 
 /* ---- Buckets and history. ---- */
 
-/* Counts, for each point, the moves or visits before it is inserted; and looks where
- * points wait. */
+/* Counts, for each point, the moves or visits before it is inserted; and looks
+ * where points wait. */
 typedef struct counter {
     trace observer; /* first: see lib/trace.h */
     const point2 *points;
-    uint32_t *steps;      /* point -> moves or visits */
-    uint32_t *last_pair;  /* point -> the insertion of its last move, counted from 1 */
-    uint32_t inserted;    /* after the first edge */
+    uint32_t *steps; /* point -> moves or visits */
+    uint32_t
+        *last_pair;    /* point -> the insertion of its last move, counted from 1 */
+    uint32_t inserted; /* after the first edge */
     uint64_t first_moves; /* onto the two sides of the first edge */
     uint64_t moves, pairs;
-    uint64_t inside; /* pairs after which the point waits in a triangle, not outside */
-    double *hull;    /* i -> hull edges after the insertion of point i; or NULL */
+    uint64_t
+        inside;   /* pairs after which the point waits in a triangle, not outside */
+    double *hull; /* i -> hull edges after the insertion of point i; or NULL */
 } counter;
 
-/* P1: q waits in a triangle that contains it, or with a hull edge that it sees or that
- * it is in line with. */
+/* P1: q waits in a triangle that contains it, or with a hull edge that it sees or
+ * that it is in line with. */
 static void
 check_waiting(const mesh *m, const point2 *points, vertex_id q, halfedge_id e)
 {
     for (int i = 0; i < 3; i++) {
         vertex_id a = mesh_origin(m, e), b = mesh_dest(m, e);
-        CLAIM("buckets.P1", a == GHOST || b == GHOST ||
-              orient2d(points[a], points[b], points[q]) >= 0,
+        CLAIM("buckets.P1",
+              a == GHOST || b == GHOST ||
+                  orient2d(points[a], points[b], points[q]) >= 0,
               "%u waits in a triangle at %u %u and lies right of it", q, a, b);
         e = mesh_next(e);
     }
@@ -221,7 +235,8 @@ see_steps(trace *self, const mesh *m, const trace_event *event)
 {
     counter *c = (counter *)self;
     c->inserted += event->kind == TRACE_SPLIT;
-    if (event->kind == TRACE_MOVE || (event->kind == TRACE_VISIT && event->a != NONE))
+    if (event->kind == TRACE_MOVE ||
+        (event->kind == TRACE_VISIT && event->a != NONE))
         c->steps[event->a]++;
     if (event->kind != TRACE_MOVE)
         return 0;
@@ -258,7 +273,8 @@ see_rounds(trace *self, const mesh *m, const trace_event *event)
 }
 
 static void
-count_steps(const point2 *points, uint32_t n, tri_locator kind, uint64_t seed, counter *c)
+count_steps(const point2 *points, uint32_t n, tri_locator kind, uint64_t seed,
+            counter *c)
 {
     c->observer.see = c->hull != NULL ? see_rounds : see_steps;
     c->steps = calloc(n + 1, sizeof *c->steps);
@@ -290,7 +306,8 @@ buckets_and_history_do_the_same(const point2 *points, uint32_t n)
     uint32_t b = differs != NONE ? later.steps[differs] : 0;
     free(now.steps);
     free(later.steps);
-    CLAIM("buckets.P2", differs == NONE, "point %u: %u moves, %u nodes", differs, a, b);
+    CLAIM("buckets.P2", differs == NONE, "point %u: %u moves, %u nodes", differs, a,
+          b);
 }
 
 /* ---- The mean number of moves, over many orders. ---- */
@@ -323,8 +340,9 @@ sample_error(const sample *s)
 }
 
 /* The sum over i = 3 .. n-1 of (n-i) 3/i (1 - h/(i+1)), h the mean number of hull
- * vertices of i+1 points. Of i+1 points each is as likely as another to be the one that
- * waits, so h/(i+1) is the probability that it waits outside of the others' hull. */
+ * vertices of i+1 points. Of i+1 points each is as likely as another to be the one
+ * that waits, so h/(i+1) is the probability that it waits outside of the others'
+ * hull. */
 static double
 expected_inside(uint32_t n, const double *hull, uint32_t orders)
 {
@@ -355,40 +373,52 @@ the_number_of_moves_is_as_expected(void)
         sample_add(&pairs, (double)(c.first_moves + c.pairs));
         sample_add(&ratio, (double)c.moves / (double)c.pairs);
         sample_add(&inside, (double)c.inside);
-        CLAIM("E48", c.first_moves == n - 2, "%u points move at the second insertion",
-              (unsigned)c.first_moves);
+        CLAIM("E48", c.first_moves == n - 2,
+              "%u points move at the second insertion", (unsigned)c.first_moves);
     }
-    double bound = 3 * n * harmonic - 3 * n, expected = expected_inside(n, sizes, orders);
+    double bound = 3 * n * harmonic - 3 * n,
+           expected = expected_inside(n, sizes, orders);
     printf("# (point, insertion) pairs: %.0f +- %.0f, at most %.1f expected\n"
-           "# of these in triangles: %.0f +- %.0f, %.0f expected\n# moves for each: %.3f +- %.3f\n",
+           "# of these in triangles: %.0f +- %.0f, %.0f expected\n# moves for "
+           "each: %.3f +- %.3f\n",
            sample_mean(&pairs), sample_error(&pairs), bound, sample_mean(&inside),
-           sample_error(&inside), expected, sample_mean(&ratio), sample_error(&ratio));
+           sample_error(&inside), expected, sample_mean(&ratio),
+           sample_error(&ratio));
     fflush(stdout);
-    CLAIM("buckets.P3", fabs(sample_mean(&inside) - expected) < sample_error(&inside),
-          "%.1f +- %.1f pairs, %.1f expected", sample_mean(&inside), sample_error(&inside),
-          expected);
+    CLAIM("buckets.P3",
+          fabs(sample_mean(&inside) - expected) < sample_error(&inside),
+          "%.1f +- %.1f pairs, %.1f expected", sample_mean(&inside),
+          sample_error(&inside), expected);
     CLAIM("buckets.P4", sample_mean(&pairs) - sample_error(&pairs) <= bound,
           "%.1f pairs", sample_mean(&pairs));
-    CLAIM("E50", fabs(bound - 19456.4) < 0.1 && fabs(3 * n * log(n) - 20723.3) < 0.1,
+    CLAIM("E50",
+          fabs(bound - 19456.4) < 0.1 && fabs(3 * n * log(n) - 20723.3) < 0.1,
           "the sum is %.1f", bound);
-    CLAIM("E49", sample_mean(&ratio) - sample_error(&ratio) > 1.2 &&
-          sample_mean(&ratio) + sample_error(&ratio) < 1.4,
-          "%.3f +- %.3f moves for each pair", sample_mean(&ratio), sample_error(&ratio));
+    CLAIM("E49",
+          sample_mean(&ratio) - sample_error(&ratio) > 1.2 &&
+              sample_mean(&ratio) + sample_error(&ratio) < 1.4,
+          "%.3f +- %.3f moves for each pair", sample_mean(&ratio),
+          sample_error(&ratio));
 }
 
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "Section 3.6.4: walk, buckets and history find the triangle");
+    test_begin(argc, argv,
+               "Section 3.6.4: walk, buckets and history find the triangle");
     test_random("the walk", the_walk_finds_the_place, 1500, 40);
     test_near_degenerate("the walk", the_walk_finds_the_place, 3000, 20);
     test_grid_subsets("the walk", the_walk_finds_the_place, 3);
     test_random("the cost of a walk", the_walk_is_cheap, 1000, 100);
     test_run("E51: a walk can be long", e51_a_walk_can_meet_every_triangle);
     test_random("buckets and history", buckets_and_history_do_the_same, 1000, 100);
-    test_near_degenerate("buckets and history", buckets_and_history_do_the_same, 2000, 30);
+    test_near_degenerate("buckets and history", buckets_and_history_do_the_same,
+                         2000, 30);
     test_grid_subsets("buckets and history", buckets_and_history_do_the_same, 4);
     test_run("the number of moves", the_number_of_moves_is_as_expected);
-    return test_end((test_minima){.trials = 60000, .largest_n = 90, .zeros = 100000,
-                                  .expansions = 1000, .wide = 1000});
+    return test_end((test_minima){.trials = 60000,
+                                  .largest_n = 90,
+                                  .zeros = 100000,
+                                  .expansions = 1000,
+                                  .wide = 1000});
 }

@@ -1,5 +1,5 @@
-/* Section 3.6.2: probability spaces, with the examples of the notes; and that every order
- * that `shuffle` can make is equally likely.
+/* Section 3.6.2: probability spaces, with the examples of the notes; and that every
+ * order that `shuffle` can make is equally likely.
  *
  * Hypotheses: finite spaces; fractions that fit into 64 bits.
  *
@@ -34,16 +34,19 @@ fractions_are_exact(void)
         rational quotient = rational_quotient(x, y);
         CLAIM("chance.P1", (sum.den != 0) == good && (product.den != 0) == good,
               "%d/%d and %d/%d", (int)a, (int)b, (int)c, (int)d);
-        CLAIM("chance.P1", (quotient.den != 0) == (good && c != 0), "%d/%d over %d/%d",
-              (int)a, (int)b, (int)c, (int)d);
+        CLAIM("chance.P1", (quotient.den != 0) == (good && c != 0),
+              "%d/%d over %d/%d", (int)a, (int)b, (int)c, (int)d);
         if (!good)
             continue;
-        CLAIM("chance.P1", sum.num * b * d == (a * d + c * b) * sum.den && sum.den > 0,
+        CLAIM("chance.P1",
+              sum.num * b * d == (a * d + c * b) * sum.den && sum.den > 0,
               "%d/%d plus %d/%d", (int)a, (int)b, (int)c, (int)d);
-        CLAIM("chance.P1", product.num * b * d == a * c * product.den && product.den > 0,
+        CLAIM("chance.P1",
+              product.num * b * d == a * c * product.den && product.den > 0,
               "%d/%d times %d/%d", (int)a, (int)b, (int)c, (int)d);
         CLAIM("chance.P1", rational_equal(sum, rational_of(a * d + c * b, b * d)),
-              "%d/%d plus %d/%d is not in lowest terms", (int)a, (int)b, (int)c, (int)d);
+              "%d/%d plus %d/%d is not in lowest terms", (int)a, (int)b, (int)c,
+              (int)d);
         CLAIM("chance.P1", c == 0 || quotient.num * b * c == a * d * quotient.den,
               "%d/%d over %d/%d", (int)a, (int)b, (int)c, (int)d);
     }
@@ -53,19 +56,29 @@ static void
 what_does_not_fit_is_no_number(void)
 {
     const int64_t large = INT64_MAX;
-    rational x = rational_of(large, 2), y = rational_of(1, large), z = rational_of(2, 3);
-    CLAIM("chance.P1", rational_sum(x, x).den == 0, "a numerator too large on the way");
-    CLAIM("chance.P1", rational_sum(rational_of(large, 1), rational_of(1, 1)).den == 0,
+    rational x = rational_of(large, 2), y = rational_of(1, large),
+             z = rational_of(2, 3);
+    CLAIM("chance.P1", rational_sum(x, x).den == 0,
+          "a numerator too large on the way");
+    CLAIM("chance.P1",
+          rational_sum(rational_of(large, 1), rational_of(1, 1)).den == 0,
           "more than the largest number");
-    CLAIM("chance.P1", rational_sum(rational_of(-large, 1), rational_of(-1, 1)).den == 0,
+    CLAIM("chance.P1",
+          rational_sum(rational_of(-large, 1), rational_of(-1, 1)).den == 0,
           "less than the smallest number");
-    CLAIM("chance.P1", rational_sum(y, z).den == 0, "a denominator that does not fit");
-    CLAIM("chance.P1", rational_product(x, x).den == 0, "a product that does not fit");
-    CLAIM("chance.P1", rational_equal(rational_product(x, rational_of(2, large)),
-          rational_of(1, 1)), "a product that fits after cancelling");
-    CLAIM("chance.P1", rational_of(INT64_MIN, 1).den == 0 && rational_of(1, INT64_MIN).den == 0,
+    CLAIM("chance.P1", rational_sum(y, z).den == 0,
+          "a denominator that does not fit");
+    CLAIM("chance.P1", rational_product(x, x).den == 0,
+          "a product that does not fit");
+    CLAIM("chance.P1",
+          rational_equal(rational_product(x, rational_of(2, large)),
+                         rational_of(1, 1)),
+          "a product that fits after cancelling");
+    CLAIM("chance.P1",
+          rational_of(INT64_MIN, 1).den == 0 && rational_of(1, INT64_MIN).den == 0,
           "a number without an opposite");
-    CLAIM("chance.P1", !rational_equal(rational_of(1, 0), rational_of(1, 0)), "1/0 is equal");
+    CLAIM("chance.P1", !rational_equal(rational_of(1, 0), rational_of(1, 0)),
+          "1/0 is equal");
 }
 
 /* ---- Spaces, events, expectation. ---- */
@@ -99,20 +112,28 @@ the_laws_of_events(void)
         probability_space S = {n, p};
         claim_verdict("chance.P2", is_probability_space(S));
         rational a = probability_of(S, A), b = probability_of(S, B);
-        CLAIM("chance.P2", rational_equal(rational_sum(a, b),
-              rational_sum(probability_of(S, both), probability_of(S, either))),
+        CLAIM("chance.P2",
+              rational_equal(
+                  rational_sum(a, b),
+                  rational_sum(probability_of(S, both), probability_of(S, either))),
               "A or B, of %u outcomes", n);
-        CLAIM("chance.P2", rational_equal(rational_sum(a, probability_of(S, not_a)),
-              rational_of(1, 1)), "A or not A, of %u outcomes", n);
+        CLAIM("chance.P2",
+              rational_equal(rational_sum(a, probability_of(S, not_a)),
+                             rational_of(1, 1)),
+              "A or not A, of %u outcomes", n);
         CLAIM("chance.P2", rational_equal(expected_value(S, R), a),
               "the mean of A's indicator, of %u outcomes", n);
         rational given = conditional_probability(S, A, B);
-        CLAIM("chance.P2", (given.den == 0) == (b.num == 0), "given B, of %u outcomes", n);
-        CLAIM("chance.P2", b.num == 0 || rational_equal(rational_product(given, b),
-              probability_of(S, both)), "A given B, of %u outcomes", n);
+        CLAIM("chance.P2", (given.den == 0) == (b.num == 0),
+              "given B, of %u outcomes", n);
+        CLAIM("chance.P2",
+              b.num == 0 || rational_equal(rational_product(given, b),
+                                           probability_of(S, both)),
+              "A given B, of %u outcomes", n);
         uint32_t w = random_below(r, n);
         p[w] = rational_sum(p[w], rational_of(1, 7));
-        CLAIM("chance.P2", !is_probability_space(S).holds, "a sum of 8/7 was accepted");
+        CLAIM("chance.P2", !is_probability_space(S).holds,
+              "a sum of 8/7 was accepted");
         p[w] = rational_of(-1, 7);
         CLAIM("chance.P2", !is_probability_space(S).holds, "-1/7 was accepted");
         p[w] = rational_of(1, 0);
@@ -140,14 +161,15 @@ the_examples_with_dice(void)
     }
     probability_space two = {36, p}, one = {6, die};
     claim_verdict("chance.P3", is_probability_space(two));
-    rational given = conditional_probability(two, ten, odd), alone = probability_of(two, ten);
+    rational given = conditional_probability(two, ten, odd),
+             alone = probability_of(two, ten);
     rational mean = expected_value(one, R);
-    CLAIM("chance.P3", rational_equal(given, rational_of(1, 9)), "%d/%d", (int)given.num,
-          (int)given.den);
-    CLAIM("chance.P3", rational_equal(alone, rational_of(1, 12)), "%d/%d without condition",
-          (int)alone.num, (int)alone.den);
-    CLAIM("chance.P3", rational_equal(mean, rational_of(7, 2)), "%d/%d", (int)mean.num,
-          (int)mean.den);
+    CLAIM("chance.P3", rational_equal(given, rational_of(1, 9)), "%d/%d",
+          (int)given.num, (int)given.den);
+    CLAIM("chance.P3", rational_equal(alone, rational_of(1, 12)),
+          "%d/%d without condition", (int)alone.num, (int)alone.den);
+    CLAIM("chance.P3", rational_equal(mean, rational_of(7, 2)), "%d/%d",
+          (int)mean.num, (int)mean.den);
 }
 
 /* P4: the tree of the three doors has 12 leaves; switching wins 2/3. */
@@ -161,7 +183,8 @@ the_game_with_three_doors(void)
     int ninths = 0;
     for (int w = 0; w < DOOR_GAMES; w++) {
         door_game g = outcome[w];
-        CLAIM("chance.P4", g.opened != g.car && g.opened != g.guess, "leaf %d opens the car", w);
+        CLAIM("chance.P4", g.opened != g.car && g.opened != g.guess,
+              "leaf %d opens the car", w);
         for (int earlier = 0; earlier < w; earlier++)
             CLAIM("chance.P4", memcmp(&outcome[earlier], &g, sizeof g) != 0,
                   "leaves %d and %d are the same", earlier, w);
@@ -174,7 +197,8 @@ the_game_with_three_doors(void)
     claim_verdict("chance.P4", is_probability_space(S));
     rational wins = probability_of(S, switching);
     CLAIM("chance.P4", rational_equal(wins, rational_of(2, 3)) && ninths == 6,
-          "switching wins %d/%d, %d leaves of 1/9", (int)wins.num, (int)wins.den, ninths);
+          "switching wins %d/%d, %d leaves of 1/9", (int)wins.num, (int)wins.den,
+          ninths);
 }
 
 /* ---- The shuffle. ---- */
@@ -182,8 +206,8 @@ the_game_with_three_doors(void)
 /* A source whose next random_below(below[i]), i = 0, 1, 2, is answer[i].
  *
  * The generator's output depends on the second word of its state by an invertible
- * function. In three steps this word becomes, one after the other, s1, s1^s2^s0, and a
- * word that s3 shifts at will: so each can be chosen. */
+ * function. In three steps this word becomes, one after the other, s1, s1^s2^s0,
+ * and a word that s3 shifts at will: so each can be chosen. */
 static random_source
 source_with_answers(const uint32_t below[3], const uint32_t answer[3])
 {
@@ -227,18 +251,21 @@ digits_of(const vertex_id *L, uint32_t count)
  * below[2], each answer equally likely. Returns how many orders there are, and the
  * probabilities of the most and the least likely of them. */
 static int
-orders_of_shuffle(void (*shuffle_)(vertex_id *, uint32_t, random_source *), uint32_t count,
-                  const uint32_t below[3], rational *least, rational *most)
+orders_of_shuffle(void (*shuffle_)(vertex_id *, uint32_t, random_source *),
+                  uint32_t count, const uint32_t below[3], rational *least,
+                  rational *most)
 {
     uint32_t leaf[64], answer[3], leaves = 0;
     rational p[64];
     for (answer[0] = 0; answer[0] < below[0]; answer[0]++)
         for (answer[1] = 0; answer[1] < below[1]; answer[1]++)
             for (answer[2] = 0; answer[2] < below[2]; answer[2]++) {
-                random_source source = source_with_answers(below, answer), copy = source;
+                random_source source = source_with_answers(below, answer),
+                              copy = source;
                 for (int i = 0; i < 3; i++) {
                     uint32_t given = random_below(&copy, below[i]);
-                    CLAIM("chance.P5", given == answer[i], "answer %d is %u", i, given);
+                    CLAIM("chance.P5", given == answer[i], "answer %d is %u", i,
+                          given);
                 }
                 vertex_id L[] = {0, 1, 2, 3};
                 shuffle_(L, count, &source);
@@ -274,13 +301,17 @@ every_order_is_equally_likely(void)
     const uint32_t fair[3] = {4, 3, 2}, naive[3] = {3, 3, 3};
     rational least, most;
     int orders = orders_of_shuffle(shuffle, 4, fair, &least, &most);
-    CLAIM("chance.P5", orders == 24 && rational_equal(least, rational_of(1, 24)) &&
-          rational_equal(most, rational_of(1, 24)), "%d orders, one of probability %d/%d",
-          orders, (int)most.num, (int)most.den);
+    CLAIM("chance.P5",
+          orders == 24 && rational_equal(least, rational_of(1, 24)) &&
+              rational_equal(most, rational_of(1, 24)),
+          "%d orders, one of probability %d/%d", orders, (int)most.num,
+          (int)most.den);
     orders = orders_of_shuffle(naive_shuffle, 3, naive, &least, &most);
-    CLAIM("chance.P6", orders == 6 && rational_equal(least, rational_of(4, 27)) &&
-          rational_equal(most, rational_of(5, 27)), "%d orders, from %d/%d to %d/%d", orders,
-          (int)least.num, (int)least.den, (int)most.num, (int)most.den);
+    CLAIM("chance.P6",
+          orders == 6 && rational_equal(least, rational_of(4, 27)) &&
+              rational_equal(most, rational_of(5, 27)),
+          "%d orders, from %d/%d to %d/%d", orders, (int)least.num, (int)least.den,
+          (int)most.num, (int)most.den);
 }
 
 /* Longer lists: nothing is lost, and count-1 numbers are used. */
