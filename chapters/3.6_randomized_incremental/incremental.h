@@ -28,7 +28,7 @@ bool circle_contains(const point2 *points, vertex_id a, vertex_id b, vertex_id c
                      vertex_id q);
 
 /* Is ab locally Delaunay (Definition 9) when GHOST counts as a vertex?
- * Cost: at most 1 test. Source: notes 3.5; Knuth 1992 has the point at infinity. */
+ * Cost: at most 1 test. Source: notes 3.5; Guibas, Knuth, Sharir 1992. */
 bool is_locally_delaunay_at_infinity(const mesh *m, const point2 *points,
                                      halfedge_id ab);
 
