@@ -179,11 +179,13 @@ count_flips(trace *self, const mesh *m, const trace_event *event)
     return 0;
 }
 
-/* Figure 10 on the fan at the last of n points (i, i*i), i = 1..n. Its inner
- * edges are pushed from lower to higher index, the first or the last of them
- * first. */
+/* How the inner edges of a fan at the last point n are pushed: (2,n) first,
+ * (2,n) last, or (2,n) first as the half-edge from n to 2, and so on. */
+typedef enum pushing { FIRST_FIRST, LAST_FIRST, TURNED } pushing;
+
+/* Figure 10 on the fan at the last of n points (i, i*i), i = 1..n. */
 static uint32_t
-flips_from_the_fan(uint32_t n, bool last_first)
+flips_from_the_fan(uint32_t n, pushing how)
 {
     point2 points[30];
     vertex_id corner[30][3];
@@ -200,8 +202,10 @@ flips_from_the_fan(uint32_t n, bool last_first)
                   TRI_OK &&
               edge_stack_init(&L, &m) == TRI_OK,
           "out of memory");
-    for (vertex_id k = 1; k + 2 < n; k++)
-        edge_stack_push(&L, find_edge(&m, last_first ? n - 2 - k : k, n - 1));
+    for (vertex_id k = 1; k + 2 < n; k++) {
+        halfedge_id e = find_edge(&m, how == LAST_FIRST ? n - 2 - k : k, n - 1);
+        edge_stack_push(&L, how == TURNED ? mesh_twin(&m, e) : e);
+    }
     counter flips = {{count_flips}, 0};
     m.trace = &flips.base;
     lawson_flip(&L, points);
@@ -217,11 +221,14 @@ static void
 the_order_of_the_stack_matters(void)
 {
     for (uint32_t n = 4; n <= 30; n++) {
-        uint32_t slow = flips_from_the_fan(n, false),
-                 fast = flips_from_the_fan(n, true);
+        uint32_t slow = flips_from_the_fan(n, FIRST_FIRST);
+        uint32_t fast = flips_from_the_fan(n, LAST_FIRST);
+        uint32_t turned = flips_from_the_fan(n, TURNED);
         CLAIM("flipgraph.P9", slow == (n - 2) * (n - 3) / 2, "%u flips, n = %u",
               slow, n);
         CLAIM("flipgraph.P9", fast == n - 3, "%u flips, n = %u", fast, n);
+        CLAIM("flipgraph.P9", (turned < slow) == (n >= 7),
+              "turned half-edges: %u flips, n = %u", turned, n);
     }
 }
 
