@@ -315,10 +315,8 @@ uniform_densities_are_known(void)
 {
     enum { N = 20000 };
     point2 *points = malloc(N * sizeof *points);
-    for (uint32_t i = 0; i < N; i++) {
-        points[i].x = random_unit(test_random_source());
-        points[i].y = random_unit(test_random_source());
-    }
+    for (uint32_t i = 0; i < N; i++)
+        points[i] = random_point(test_random_source());
     mesh m = some_delaunay(points, N);
     edge_list gabriel = graph(gabriel_graph, &m, points);
     edge_list rng = graph(relative_neighbourhood_graph, &m, points);

@@ -406,10 +406,8 @@ few_comparisons_are_needed(void)
     random_source *r = test_random_source();
     point2 *points = malloc(N * sizeof *points);
     for (int grid = 0; grid < 2; grid++) {
-        for (uint32_t i = 0; i < N; i++) {
-            points[i].x = grid ? i % SIDE : random_unit(r);
-            points[i].y = grid ? i / SIDE : random_unit(r);
-        }
+        for (uint32_t i = 0; i < N; i++)
+            points[i] = grid ? (point2){i % SIDE, i / SIDE} : random_point(r);
         mesh m = some_delaunay(points, N);
         edge_list edges;
         CLAIM("thm2.P7", mesh_edges(&m, NULL, &edges) == TRI_OK,
