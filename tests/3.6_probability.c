@@ -213,8 +213,9 @@ source_with_answers(const uint32_t below[3], const uint32_t answer[3])
 {
     uint64_t word[3];
     for (int i = 0; i < 3; i++) {
-        /* Far from the first few values, which are drawn again. */
-        uint64_t output = (uint64_t)(1000 * below[i] + answer[i]) << 32;
+        /* Far from the first few values, which are drawn again; and a prime, so that
+         * who asks for numbers below anything else gets other answers. */
+        uint64_t output = (uint64_t)(1009 * below[i] + answer[i]) << 32;
         uint64_t ninth = 0x8e38e38e38e38e39u, fifth = 0xcccccccccccccccdu;
         uint64_t turned = output * ninth;
         word[i] = (turned >> 7 | turned << 57) * fifth;

@@ -87,7 +87,7 @@ buckets_find(const buckets *b, vertex_id p)
 tri_status
 buckets_init(buckets *b, mesh *m, const point2 *points, const vertex_id *order)
 {
-    *b = (buckets){m, points, {order[0], order[1]}, NULL, NULL, NULL};
+    *b = (buckets){m, points, order[0], NULL, NULL, NULL};
     uint32_t triangles = mesh_room(m) / 3;
     b->first = memory_array(triangles, sizeof *b->first);
     b->next = memory_array(m->points, sizeof *b->next);

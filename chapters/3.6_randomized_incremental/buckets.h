@@ -10,7 +10,7 @@
 typedef struct buckets {
     mesh *m;
     const point2 *points;
-    centre o;
+    vertex_id o;
     vertex_id *first;  /* triangle -> a point that waits in it, or NONE */
     vertex_id *next;   /* waiting point -> the next in its triangle, or NONE */
     triangle_id *home; /* waiting point -> its triangle */
@@ -31,8 +31,8 @@ triangle_id buckets_find(const buckets *b, vertex_id p);
 /* The triangles left and right of e have taken the place of others: shares out
  * among the two what waits under their numbers. Vertices wait no more.
  *
- * Cost: 1 orientation test for each point that waits there, 3 if e leads to
- * GHOST. An observer sees TRACE_MOVE for each.
+ * Cost: 1 orientation test for each point that waits there, or 2 if it is in line
+ * with a path. An observer sees TRACE_MOVE for each.
  */
 void buckets_share(buckets *b, halfedge_id e);
 

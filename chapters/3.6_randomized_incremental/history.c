@@ -98,7 +98,7 @@ history_find(const history *h, vertex_id q)
 tri_status
 history_init(history *h, mesh *m, const point2 *points, const vertex_id *order)
 {
-    *h = (history){.m = m, .points = points, .o = {order[0], order[1]}, .room = 16};
+    *h = (history){.m = m, .points = points, .o = order[0], .room = 16};
     uint32_t triangles = mesh_room(m) / 3;
     h->node = memory_array(h->room, sizeof *h->node);
     h->today = memory_array(triangles, sizeof *h->today);

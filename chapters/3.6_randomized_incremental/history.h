@@ -22,7 +22,7 @@ typedef struct history_node {
 typedef struct history {
     mesh *m;
     const point2 *points;
-    centre o;
+    vertex_id o;
     history_node *node; /* node[0 .. count-1]; node 0 is the whole plane */
     uint32_t count, room;
     uint32_t *today; /* triangle -> its node, NONE if it is newer than the graph */
@@ -39,7 +39,7 @@ void history_free(history *h);
 
 /* The triangle of today in which q lies.
  * Cost: a node for each time that the buckets would have moved q, and one more;
- * at most 4 orientation tests for each. An observer sees TRACE_VISIT for each. */
+ * at most 3 orientation tests for each. An observer sees TRACE_VISIT for each. */
 triangle_id history_find(const history *h, vertex_id q);
 
 /* The triangles left and right of e have taken the place of those that had their

@@ -4,20 +4,18 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.6_randomized_incremental/walk.h"
 
-/* On which side of the ray from s to w does q lie? The sign of orient2d(o, s, q)
- * is that of its limit when o comes near its place: where the first vertex leaves
- * it open, the second decides. */
+/* On which side of the ray from s to w does q lie? A ray to infinity leads away from
+ * o. If s is o itself the answer is 0: then q may go to either side. */
 static int
-side_of_ray(const point2 *points, centre o, vertex_id s, vertex_id w, vertex_id q)
+side_of_ray(const point2 *points, vertex_id o, vertex_id s, vertex_id w, vertex_id q)
 {
-    if (w != GHOST)
-        return orient2d(points[s], points[w], points[q]);
-    int side = orient2d(points[o.first], points[s], points[q]);
-    return side != 0 ? side : orient2d(points[o.second], points[s], points[q]);
+    if (w == GHOST)
+        return orient2d(points[o], points[s], points[q]);
+    return orient2d(points[s], points[w], points[q]);
 }
 
 bool
-goes_left(const point2 *points, centre o, vertex_id s, vertex_id w, vertex_id right,
+goes_left(const point2 *points, vertex_id o, vertex_id s, vertex_id w, vertex_id right,
           vertex_id q)
 {
     int side = side_of_ray(points, o, s, w, q);
@@ -29,7 +27,7 @@ goes_left(const point2 *points, centre o, vertex_id s, vertex_id w, vertex_id ri
 }
 
 int
-goes_between(const point2 *points, centre o, vertex_id s, const vertex_id ray[3],
+goes_between(const point2 *points, vertex_id o, vertex_id s, const vertex_id ray[3],
              vertex_id q)
 {
     int side[3];

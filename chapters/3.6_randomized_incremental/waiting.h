@@ -7,38 +7,33 @@
  * is decided by the side of these rays on which it lies. Buckets ask at once,
  * the history graph when the point's turn has come; they ask the same.
  *
- * Outside of the hull, too, every point has its triangle. Let o be a point of the
- * first edge, infinitely near its beginning. It never leaves the hull. The ghost
- * triangle of a hull edge is what lies behind it, seen from o, and the ray from s
- * to GHOST runs straight away from o.
+ * Outside of the hull, too, every point has its triangle. Let o be the first vertex.
+ * The ghost triangle of a hull edge is what lies behind it, seen from o, and the ray
+ * from s to GHOST runs straight away from o. If o is on the hull itself, what lies
+ * behind o belongs to one or the other of the hull edges at o.
  */
 #ifndef CHAPTERS_3_6_WAITING_H
 #define CHAPTERS_3_6_WAITING_H
 
 #include "lib/mesh.h"
 
-/* The first edge: o lies on it, infinitely near `first`. */
-typedef struct centre {
-    vertex_id first, second;
-} centre;
-
 /* Two triangles divided by the ray from s to w: does q go to the left one?
  *
  * `right` is the third corner of the triangle on the right. It matters if all
  * are on one line: then the left one gets what does not lie towards `right`.
  * Requires: q lies in one of the two, or on their sides.
- * Cost: at most 3 orientation tests, 1 if w is a point.
+ * Cost: 1 orientation test, and another one if all are on one line.
  */
-bool goes_left(const point2 *points, centre o, vertex_id s, vertex_id w,
+bool goes_left(const point2 *points, vertex_id o, vertex_id s, vertex_id w,
                vertex_id right, vertex_id q);
 
 /* Three triangles around s, divided by the rays to ray[0], ray[1], ray[2], which
  * are in counterclockwise order: returns the i for which q goes to the triangle
  * between ray[i] and the ray after it.
  *
- * Cost: at most 4 orientation tests.
+ * Cost: 3 orientation tests.
  */
-int goes_between(const point2 *points, centre o, vertex_id s, const vertex_id ray[3],
-                 vertex_id q);
+int goes_between(const point2 *points, vertex_id o, vertex_id s,
+                 const vertex_id ray[3], vertex_id q);
 
 #endif
