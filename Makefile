@@ -143,10 +143,15 @@ asan: ## all tests with the address and undefined-behaviour sanitizers
 	$(MAKE) BUILD=$(BUILD)/asan \
 	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" test
 
-$(SECTIONS): %: all
+# One section: its tests and its pictures, and what they stand on.
+$(foreach s,$(SECTIONS),$(eval $(s): \
+  $(addprefix $(BUILD)/test/,$(filter $(s)_%,$(TESTS))) \
+  $(addprefix $(BUILD)/figures/,$(filter $(s)_%,$(FIGURES)))))
+$(SECTIONS): %: $(BUILD)/tri $(BUILD)/counted/tri
 	tests/run.sh $(BUILD) $(filter $*_%,$(TESTS))
 	@for f in $(filter $*_%,$(FIGURES)); do mkdir -p "chapters/$$f/figures" && \
-	  $(BUILD)/figures/$$f "chapters/$$f/figures" || exit 1; done
+	  $(BUILD)/figures/$$f "chapters/$$f/figures" && \
+	  echo "pictures: chapters/$$f/figures/" || exit 1; done
 .PHONY: $(SECTIONS)
 
 # The folders of the headers stay as they are: a program includes

@@ -123,7 +123,7 @@ mesh_hull_join(mesh *m, halfedge_id first, halfedge_id end, vertex_id p)
 halfedge_id
 mesh_some_hull_edge(const mesh *m)
 {
-    if (m->ghost_leaving == NONE)
+    if (m->triangles == 0)
         return NONE;
     return mesh_twin(m, mesh_next(m->ghost_leaving));
 }

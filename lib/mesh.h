@@ -249,7 +249,8 @@ halfedge_id mesh_start(mesh *m, vertex_id a, vertex_id b);
 halfedge_id mesh_bridge(mesh *m, halfedge_id e, halfedge_id f);
 
 /* The outside of hull edge e, from a to b, becomes the triangle b a p.
- * The hull is broken until mesh_hull_join has been called. */
+ * Until mesh_hull_join has been called mesh_hull_next and mesh_hull_prev still follow
+ * the old hull, and e is no hull edge any more. */
 void mesh_cover(mesh *m, halfedge_id e, vertex_id p);
 
 /* From now on the hull runs from where hull edge `first` begins to p, and from p

@@ -29,9 +29,9 @@ tri_status
 tri_accept(const point2 *points, uint32_t n, const tri_options *given,
            tri_options *used)
 {
+    if (given != NULL && given->size != sizeof *given)
+        return TRI_BAD_OPTION; /* and perhaps too short: nothing else is read */
     *used = given != NULL ? *given : tri_options_default();
-    if (used->size != sizeof *used)
-        return TRI_BAD_OPTION;
     if (!isfinite(used->direction.x) || !isfinite(used->direction.y) ||
         (used->direction.x == 0 && used->direction.y == 0))
         return TRI_BAD_OPTION;
@@ -42,8 +42,6 @@ tri_accept(const point2 *points, uint32_t n, const tri_options *given,
         return TRI_BAD_OPTION;
     if (!arithmetic_is_ieee())
         return TRI_BAD_FP_ENVIRONMENT;
-    if (n == UINT32_MAX)
-        return TRI_TOO_MANY_POINTS;
     for (uint32_t i = 0; i < n; i++)
         if (!isfinite(points[i].x) || !isfinite(points[i].y))
             return TRI_NOT_FINITE;

@@ -35,7 +35,7 @@ typedef enum tri_locator {
 } tri_locator;
 
 typedef struct tri_options {
-    size_t size;            /* sizeof (tri_options): lets the struct grow */
+    size_t size;            /* sizeof (tri_options): tells versions apart */
     point2 direction;       /* 2.3, 3.7: the order of the points; default (1,0) */
     struct trace *trace;    /* who watches; default NULL, nobody */
     tri_cuts cuts;          /* 3.7; default TRI_CUTS_VERTICAL */
@@ -50,11 +50,10 @@ tri_options tri_options_default(void);
 /* What every algorithm does first: may it run on these points?
  *
  *   TRI_OK                  yes; *used holds the options to use
- *   TRI_BAD_OPTION          wrong size, a direction that is zero or not finite,
+ *   TRI_BAD_OPTION          another version's size, a direction that is zero or not finite,
  *                           cuts or a locator that are none of the above
  *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
  *   TRI_NOT_FINITE          some coordinate is NaN or infinite
- *   TRI_TOO_MANY_POINTS     n is UINT32_MAX: the last index would be GHOST
  *
  * Cost: reads every point once. */
 tri_status tri_accept(const point2 *points, uint32_t n, const tri_options *given,

@@ -1,23 +1,24 @@
 /* sort.c - radix sort, the least significant byte first. */
 #include "lib/sort.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 /* Sorts by one byte of the key; false when that byte is the same in all keys, and
  * then nothing is moved. */
-static int
+static bool
 sort_by_byte(const sort_item *from, sort_item *to, size_t n, int shift)
 {
     size_t place[257] = {0}; /* byte -> where its first item goes, after the sum */
     for (size_t i = 0; i < n; i++)
         place[(from[i].key >> shift & 255) + 1]++;
     if (place[(from[0].key >> shift & 255) + 1] == n)
-        return 0;
+        return false;
     for (int byte = 0; byte < 256; byte++)
         place[byte + 1] += place[byte];
     for (size_t i = 0; i < n; i++)
         to[place[from[i].key >> shift & 255]++] = from[i];
-    return 1;
+    return true;
 }
 
 void

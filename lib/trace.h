@@ -34,7 +34,8 @@ typedef struct trace_event {
 
 /* An observer: a struct that begins with this one and adds what it remembers.
  * `see` is called after each event, when the mesh is consistent again; when it
- * returns non-zero the algorithm stops and returns TRI_CANCELLED. */
+ * returns non-zero the algorithm stops and returns TRI_CANCELLED. When an algorithm
+ * returns nobody watches its mesh any more. */
 typedef struct trace {
     int (*see)(struct trace *self, const mesh *m, const trace_event *event);
 } trace;

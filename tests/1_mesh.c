@@ -160,7 +160,7 @@ a_line_is_a_path(const point2 *points, uint32_t n)
     memory_free(on_line);
 }
 
-/* The first edge, which no observer sees: nothing is attached to make it. */
+/* The first edge by itself: nothing is attached to make it. */
 static void
 the_first_edge_is_a_sphere(void)
 {

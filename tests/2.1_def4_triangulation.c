@@ -134,9 +134,20 @@ spoil(triangle_list *list, uint32_t n, random_source *r)
     }
 }
 
+static bool
+all_distinct(const point2 *p, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = 0; j < i; j++)
+            if (p[i].x == p[j].x && p[i].y == p[j].y)
+                return false;
+    return true;
+}
+
 static void
 accepts_exactly_the_triangulations(const point2 *points, uint32_t n)
 {
+    HYPOTHESIS(all_distinct(points, n)); /* here each index is a vertex */
     random_source *r = test_random_source();
     for (int repeat = 0; repeat < 4; repeat++) {
         mesh m;
@@ -155,6 +166,72 @@ accepts_exactly_the_triangulations(const point2 *points, uint32_t n)
         CLAIM("def4.P4", !v.holds || expected, "accepted, and is no triangulation");
         CLAIM("def4.P5", v.holds || !expected, "refused although it is one: %s", v.because);
     }
+}
+
+/* ---- P1: how often a point is covered, and how often it is run around. ---- */
+
+static int
+side(point2 a, point2 b, point2 q)
+{
+    double det = (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x);
+    return (det > 0) - (det < 0);
+}
+
+/* What the side from a to b adds to the winding number around q: it is counted where
+ * it crosses the ray that runs from q to the right. */
+static int
+crosses_ray(point2 a, point2 b, point2 q)
+{
+    if (a.y <= q.y && q.y < b.y)
+        return side(a, b, q) > 0;
+    if (b.y <= q.y && q.y < a.y)
+        return -(side(a, b, q) < 0);
+    return 0;
+}
+
+/* Up to eight random counterclockwise triangles, no two along the same directed side. */
+static uint32_t
+random_triangles(const point2 *p, uint32_t n, vertex_id corner[8][3], halfedge_id *twin)
+{
+    uint32_t count = 0;
+    halfedge_id repeated;
+    for (int tries = 0; tries < 24 && count < 8; tries++) {
+        vertex_id *c = corner[count];
+        for (int i = 0; i < 3; i++)
+            c[i] = random_below(test_random_source(), n);
+        if (twice_area(p, c) <= 0)
+            continue;
+        triangle_list list = {count + 1, corner};
+        CLAIM("def4.P1", triangle_list_twins(list, twin, &repeated) == TRI_OK, "memory");
+        count += repeated == NONE;
+    }
+    CLAIM("def4.P1", triangle_list_twins((triangle_list){count, corner}, twin, &repeated)
+          == TRI_OK, "memory");
+    return count;
+}
+
+static void
+covered_as_often_as_run_around(const point2 *p, uint32_t n)
+{
+    HYPOTHESIS(n >= 3);
+    vertex_id corner[8][3];
+    halfedge_id twin[24];
+    triangle_list list = {random_triangles(p, n, corner, twin), corner};
+    test_picture(list);
+    for (int x = 0; x < 3; x++)
+        for (int y = 0; y < 3; y++) {
+            point2 q = {x + 0.37, y + 0.41}; /* on no line of the grid */
+            int covered = 0, winding = 0;
+            for (uint32_t t = 0; t < list.count; t++) {
+                point2 a = p[corner[t][0]], b = p[corner[t][1]], c = p[corner[t][2]];
+                covered += side(a, b, q) > 0 && side(b, c, q) > 0 && side(c, a, q) > 0;
+            }
+            for (halfedge_id e = 0; e < 3 * list.count; e++)
+                if (twin[e] == NONE)
+                    winding += crosses_ray(p[side_origin(list, e)], p[side_dest(list, e)], q);
+            CLAIM("def4.P1", covered == winding, "(%g,%g) lies in %d triangles, and the "
+                  "boundary winds %d times around it", q.x, q.y, covered, winding);
+        }
 }
 
 /* ---- Single cases. ---- */
@@ -181,7 +258,7 @@ a_pentagram_is_no_hull(void)
     }
     verdict v = check(points, 6, corner, 5);
     CLAIM("def4.P2", !v.holds, "five triangles that cover the middle twice");
-    CLAIM("def4.P1", v.witnesses > 0, "without a witness");
+    CLAIM("def4.P2", v.witnesses > 0, "without a witness");
 }
 
 static void
@@ -196,7 +273,7 @@ faults_have_witnesses(void)
     vertex_id beyond[][3] = {{0, 1, 9}};
     vertex_id touching[][3] = {{0, 1, 4}, {4, 2, 3}};
     CLAIM("def4.P2", check(p, 5, bay, 3).witness[0] == 4, "the bay at vertex 4");
-    CLAIM("def4.P1", !check(p, 4, twice, 2).holds, "two triangles left of one edge");
+    CLAIM("def4.P4", !check(p, 4, twice, 2).holds, "two triangles left of one edge");
     CLAIM("def4.P3", check(p, 4, clockwise, 2).witnesses == 3, "a clockwise triangle");
     CLAIM("def4.P4", check(q, 5, two_names, 2).witnesses == 2, "one point, two vertices");
     CLAIM("def4.P3", !check(p, 4, beyond, 1).holds, "vertex 9 of 4");
@@ -242,6 +319,7 @@ main(int argc, char **argv)
     test_near_degenerate("every algorithm", every_algorithm_triangulates, 1000, 20);
     test_grid_subsets("every algorithm", every_algorithm_triangulates, 4);
     test_grid_subsets("exactly the triangulations", accepts_exactly_the_triangulations, 4);
+    test_grid_subsets("covered as often as run around", covered_as_often_as_run_around, 4);
     test_run("a pentagram", a_pentagram_is_no_hull);
     test_run("faults have witnesses", faults_have_witnesses);
     test_run("E3: collinear points", e3_collinear_points_have_no_triangle);

@@ -53,14 +53,16 @@ check_visible_edges(const mesh *m, const point2 *points, halfedge_id leaving)
             continue;
         /* The triangle lies left of e, so the old hull edge is e's twin. */
         vertex_id u = mesh_dest(m, e), w = mesh_origin(m, e);
-        CLAIM("fig3.P2", sees(points, p, u, w), "%u joined to %u %u unseen", p, u, w);
+        CLAIM("fig3.P2", sees(points, p, u, w), "%u is joined to the edge %u %u, which it "
+              "does not see", p, u, w);
         seen++;
     }
     halfedge_id e = leaving;
     do {
         vertex_id u = mesh_origin(m, e), w = mesh_dest(m, e);
         if (u != p && w != p)
-            CLAIM("fig3.P2", !sees(points, p, u, w), "%u sees %u %u", p, u, w);
+            CLAIM("fig3.P2", !sees(points, p, u, w), "%u sees the edge %u %u, and is not "
+                  "joined to it", p, u, w);
         e = mesh_hull_next(m, e);
     } while (e != leaving);
     return seen;
@@ -118,6 +120,7 @@ see_attach(trace *self, const mesh *m, const trace_event *event)
     watcher *w = (watcher *)self;
     if (event->kind != TRACE_ATTACH)
         return 0;
+    show(m);
     uint32_t seen = check_visible_edges(m, w->points, event->edge);
     vertex_id before = NONE; /* the vertex swept just before: the latest but p */
     for (vertex_id i = 0; i < m->points; i++)

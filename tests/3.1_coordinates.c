@@ -273,7 +273,7 @@ check_sibson(const point2 *points, uint32_t n, const voronoi *d, vertex_id p)
 static void
 each_bounded_site(uint32_t n, bool sibson)
 {
-    point2 *points = whole_points(n, MOST);
+    point2 *points = whole_points(NULL, n, MOST);
     mesh m;
     voronoi d;
     CLAIM("sec3.1.P15", lawson_triangulate(points, n, NULL, &m) == TRI_OK,

@@ -48,7 +48,7 @@ static void
 without_obtuse_angles_is_delaunay(const point2 *given, uint32_t n)
 {
     (void)given;
-    point2 *points = whole_points(n, 4);
+    point2 *points = whole_points(NULL, n, 4);
     mesh m;
     triangle_list list;
     random_triangulation(points, n, &m);

@@ -221,7 +221,7 @@ static void
 per_triangle_files_agree(const point2 *given, uint32_t n)
 {
     (void)given;
-    point2 *points = whole_points(n, 12);
+    point2 *points = whole_points(NULL, n, 12);
     diagram g = run(points, n, true);
     CLAIM("voronoi.dual",
           g.vertices.count == g.triangles.count && g.lines == g.edges.count,
@@ -248,7 +248,7 @@ static void
 vertices_are_merged(const point2 *given, uint32_t n)
 {
     (void)given;
-    point2 *points = whole_points(n, 6);
+    point2 *points = whole_points(NULL, n, 6);
     diagram all = run(points, n, true), g = run(points, n, false);
     for (uint32_t v = 0; v < g.vertices.count; v++) {
         bool known = false;

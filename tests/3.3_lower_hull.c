@@ -78,7 +78,7 @@ half_planes(const point2 *points, uint32_t n)
 {
     (void)points;
     HYPOTHESIS(n > 0);
-    point2 *p = whole_points(n, 7), *x = whole_points(1, 7);
+    point2 *p = whole_points(NULL, n, 7), *x = whole_points(NULL, 1, 7);
     bool in = in_hull(p, n, *x), out = cut_off(p, n, *x);
     CLAIM("halfspace.P1", in == !out, "(%g,%g) is %s the hull and %s", x->x,
           x->y, in ? "in" : "not in", out ? "cut off" : "not cut off");
@@ -348,7 +348,7 @@ flat_is_cocircular_or_collinear(const point2 *points, uint32_t n)
 {
     (void)points;
     uint32_t u;
-    point2 *p = whole_points(n, 3);
+    point2 *p = whole_points(NULL, n, 3);
     vertex_id *L = shuffled(p, n, &u);
     bool together = true;
     for (uint32_t i = 3; i < u; i++)

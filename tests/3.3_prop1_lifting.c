@@ -100,7 +100,7 @@ static void
 inside_is_below(const point2 *points, uint32_t n)
 {
     (void)points;
-    point2 *p = whole_points(n, random_below(test_random_source(), 2) ? 4 : 90);
+    point2 *p = whole_points(NULL, n, random_below(test_random_source(), 2) ? 4 : 90);
     for (uint32_t a = 0; a < n; a++)
         for (uint32_t b = 0; b < n; b++)
             for (uint32_t c = 0; c < b; c++)
@@ -114,7 +114,7 @@ static void
 no_three_in_line(const point2 *points, uint32_t n)
 {
     (void)points;
-    point2 *p = whole_points(n, 6);
+    point2 *p = whole_points(NULL, n, 6);
     for (uint32_t a = 0; a < n; a++)
         for (uint32_t b = 0; b < a; b++)
             for (uint32_t c = 0; c < b; c++) {

@@ -260,7 +260,7 @@ on_whole_points(property *p, uint32_t n)
 {
     static const uint32_t most[] = {3, 6, 1000};
     point2 *points =
-        whole_points(n, most[random_below(test_random_source(), 3)]);
+        whole_points(NULL, n, most[random_below(test_random_source(), 3)]);
     p(points, n);
     free(points);
 }

@@ -67,6 +67,7 @@ see(trace *self, const mesh *m, const trace_event *event)
     w->flips += event->kind == TRACE_FLIP;
     if (w->only_counts)
         return 0;
+    show(m);
     if (event->kind == TRACE_POP)
         check_stack(m, w, event->edge);
     if (event->kind == TRACE_FLIP) {
@@ -89,7 +90,12 @@ run_watched(mesh *m, const point2 *points, watcher *w)
     w->gone = calloc((size_t)m->points * m->points + 1, sizeof *w->gone);
     CLAIM("fig10.P6", w->gone != NULL && edge_stack_init(&L, m) == TRI_OK, "no memory");
     push_all_edges(&L);
-    uint64_t interior = L.size, before = predicate_count.incircle;
+    uint64_t interior = 0, before = predicate_count.incircle;
+    for (halfedge_id e = 0; e < mesh_halfedges(m); e++)
+        interior += mesh_is_interior(m, e);
+    interior /= 2;
+    CLAIM("fig10.P6", L.size == interior, "%u entries for %llu edges", L.size,
+          (unsigned long long)interior);
     w->observer.see = see;
     w->points = points;
     w->L = &L;

@@ -90,8 +90,7 @@ scaled_power(const point2 *p, const mesh *m, halfedge_id t, vertex_id d, double 
 static void
 power_does_not_increase(const point2 *drawn, uint32_t n)
 {
-    (void)drawn;
-    point2 *points = whole_points(n, 60);
+    point2 *points = whole_points(drawn, n, 60);
     mesh m;
     random_triangulation(points, n, &m);
     for (halfedge_id ab = 0; ab < mesh_halfedges(&m); ab++) {

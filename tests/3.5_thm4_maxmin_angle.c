@@ -128,8 +128,7 @@ flip_watched(mesh *m, watcher *w)
 static void
 no_flip_makes_a_smaller_angle(const point2 *drawn, uint32_t n)
 {
-    (void)drawn;
-    point2 *points = whole_points(n, random_below(test_random_source(), 2) ? 1000 : 12);
+    point2 *points = whole_points(drawn, n, random_below(test_random_source(), 2) ? 1000 : 12);
     watcher angles = {{see_six_angles}, points}, surface = {{see_the_surface_sink}, points};
     for (int which = 0; which < 2; which++) {
         mesh m;

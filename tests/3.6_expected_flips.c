@@ -207,7 +207,7 @@ static void
 equation_5_of_small_sets(const point2 *drawn, uint32_t n)
 {
     (void)drawn;
-    point2 *points = whole_points(n, 40);
+    point2 *points = whole_points(NULL, n, 40);
     bool good = n >= 1 && is_in_general_position(points, n);
     if (good)
         check_all_orders(points, n);

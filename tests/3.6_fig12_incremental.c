@@ -239,7 +239,7 @@ static void
 a_far_point_is_like_infinity(const point2 *drawn, uint32_t n)
 {
     (void)drawn;
-    point2 *points = whole_points(n, 100);
+    point2 *points = whole_points(NULL, n, 100);
     for (uint32_t i = 0; i + 2 < n; i++) {
         point2 x = points[i], y = points[i + 1], q = points[i + 2];
         double far = 0x1p40;

@@ -69,7 +69,6 @@ bad_options_are_refused(void)
     expect(TRI_BAD_OPTION, NULL, 0, &options);
     options.size += 2;
     expect(TRI_BAD_OPTION, NULL, 0, &options);
-    expect(TRI_TOO_MANY_POINTS, NULL, UINT32_MAX, NULL); /* without reading them */
 }
 
 static void

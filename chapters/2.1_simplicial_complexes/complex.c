@@ -4,6 +4,8 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/memory.h"
 
+#include <assert.h>
+
 static const point2 lexicographic = {1, 0};
 
 /* Do p and q coincide? */

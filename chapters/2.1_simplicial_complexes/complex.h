@@ -6,7 +6,8 @@
 #ifndef CHAPTERS_2_1_COMPLEX_H
 #define CHAPTERS_2_1_COMPLEX_H
 
-#include "lib/mesh.h"
+#include "lib/triangles.h"
+#include "lib/verdict.h"
 
 /* A k-simplex as the set of its vertices (Definition 1). The dimension is -1 for
  * the empty face, and at most 3: faces are counted in space too. */

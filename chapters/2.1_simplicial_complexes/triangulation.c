@@ -128,6 +128,9 @@ check_turn(const audit *a, vertex_id u, vertex_id v, vertex_id w)
     return verdict_with(verdict_with(verdict_with(refuted, v), u), w);
 }
 
+/* There is a boundary, as the triangles have positive areas; and it goes on at each of
+ * its vertices, as each triangle has one side into and one side out of each of its
+ * corners, and twins cancel in pairs. */
 static verdict
 check_boundary(const audit *a, uint32_t boundary)
 {

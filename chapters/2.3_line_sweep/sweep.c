@@ -141,6 +141,7 @@ sweep_triangulate(const point2 *points, uint32_t n, const tri_options *options,
     if (status == TRI_OK) {
         out->trace = used.trace;
         sweep(out, points, L);
+        out->trace = NULL;
         if (out->cancelled)
             status = TRI_CANCELLED;
     }

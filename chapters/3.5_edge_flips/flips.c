@@ -103,7 +103,7 @@ edge_stack_pop(edge_stack *L, halfedge_id *ab)
     *ab = L->entry[--L->size];
     L->on_stack[*ab] = false;
     report_edge(L->m, TRACE_POP, *ab);
-    return true;
+    return !L->m->cancelled;
 }
 
 void
@@ -149,8 +149,10 @@ lawson_triangulate(const point2 *points, uint32_t n, const tri_options *options,
     edge_stack L;
     status = edge_stack_init(&L, out);
     if (status == TRI_OK) {
+        out->trace = options != NULL ? options->trace : NULL;
         push_all_edges(&L);
         lawson_flip(&L, points);
+        out->trace = NULL;
         edge_stack_free(&L);
         if (out->cancelled)
             status = TRI_CANCELLED;

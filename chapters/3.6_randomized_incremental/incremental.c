@@ -176,6 +176,7 @@ insert_in_order(const point2 *points, uint32_t n, const vertex_id *order,
         return status;
     out->trace = options->trace;
     status = incremental_flip(out, points, order, options->locator);
+    out->trace = NULL;
     if (status != TRI_OK)
         mesh_free(out);
     return status;

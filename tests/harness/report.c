@@ -103,9 +103,10 @@ print_points(const point2 *points, uint32_t n)
 }
 
 static void
-print_again(void)
+print_again(const test *t)
 {
     printf("again: %s --seed %llu", program.name, (unsigned long long)program.seed);
+    printf(" --only \"%s\"", t->what);
     if (program.trials_factor != 1)
         printf(" --trials-factor %u", (unsigned)program.trials_factor);
     printf("\n");
@@ -130,7 +131,7 @@ report_trial(const test *t, uint32_t k, ending how)
     if (t->kind == CHECK) {
         print_because(t, how);
         printf("#   ");
-        print_again();
+        print_again(t);
         return;
     }
     uint32_t n;
@@ -156,7 +157,7 @@ report_trial(const test *t, uint32_t k, ending how)
     printf("#   %s:", given ? "input" : "smallest input found");
     print_points(points, n);
     printf("#   picture: %s    ", path);
-    print_again();
+    print_again(t);
     free(points);
 }
 
@@ -177,5 +178,5 @@ report_batch(const test *t, uint32_t begin, uint32_t end, ending how)
     print_because(t, how);
     printf("#   each of the trials from %u succeeds alone: one of them leaves something "
            "behind for the next\n#   ", (unsigned)begin);
-    print_again();
+    print_again(t);
 }

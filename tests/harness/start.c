@@ -21,6 +21,15 @@ random_direction(void)
 }
 
 void
+show(const mesh *m)
+{
+    triangle_list list;
+    if (mesh_triangles(m, &list) == TRI_OK)
+        test_picture(list);
+    triangle_list_free(&list);
+}
+
+void
 random_triangulation(const point2 *points, uint32_t n, mesh *out)
 {
     random_source *r = test_random_source();
@@ -61,15 +70,22 @@ random_delaunay(const point2 *points, uint32_t n, mesh *out)
     }
 }
 
-point2 *
-whole_points(uint32_t n, uint32_t most)
+/* x if it is a whole number 0 .. most; else a random one. */
+static double
+whole(double x, uint32_t most)
 {
-    random_source *r = test_random_source();
+    bool stays = x >= 0 && x <= most && x == (double)(uint32_t)x;
+    return stays ? x : random_below(test_random_source(), most + 1);
+}
+
+point2 *
+whole_points(const point2 *drawn, uint32_t n, uint32_t most)
+{
     point2 *points = malloc((n + 1) * sizeof *points);
-    for (uint32_t i = 0; i < n && points != NULL; i++) {
-        points[i].x = random_below(r, most + 1);
-        points[i].y = random_below(r, most + 1);
-    }
     CLAIM("fig3.P3", points != NULL, "out of memory");
+    for (uint32_t i = 0; i < n; i++) {
+        points[i].x = whole(drawn != NULL ? drawn[i].x : -1, most);
+        points[i].y = whole(drawn != NULL ? drawn[i].y : -1, most);
+    }
     return points;
 }

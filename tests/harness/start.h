@@ -8,6 +8,9 @@
 /* A direction, never (0,0); often one along which many points are met together. */
 point2 random_direction(void);
 
+/* The triangles to draw if this trial fails: those of the mesh as it is now. */
+void show(const mesh *m);
+
 /* Some triangulation of the points: a sweep in a random direction and then random
  * flips, of which any number may be none. Fails the trial when there is no memory. */
 void random_triangulation(const point2 *points, uint32_t n, mesh *out);
@@ -16,9 +19,10 @@ void random_triangulation(const point2 *points, uint32_t n, mesh *out);
  * other diagonals wherever cocircular sites leave a choice. */
 void random_delaunay(const point2 *points, uint32_t n, mesh *out);
 
-/* n points with whole coordinates 0 .. most, few of them or as many as n: small
- * enough to compute with them exactly in a test. They replace the drawn ones, so
- * that the trial's size and seed still decide. The caller frees them. */
-point2 *whole_points(uint32_t n, uint32_t most);
+/* n points with whole coordinates 0 .. most, small enough to compute with them exactly
+ * in a test. Drawn coordinates that are such numbers stay (so a failure shrinks to
+ * points that can be shown); others are replaced at random, all of them if drawn is
+ * NULL. The caller frees them. */
+point2 *whole_points(const point2 *drawn, uint32_t n, uint32_t most);
 
 #endif
