@@ -59,7 +59,7 @@ lines_1_and_8(const point2 *drawn, uint32_t n)
 {
     (void)drawn;
     uint32_t count = n + 1;
-    point2 *points = whole_points(count + 3, 50);
+    point2 *points = whole_points(NULL, count + 3, 50);
     vertex_id *order = malloc((count + 3) * sizeof *order);
     large_triangle(points, count, 30, &points[count]);
     for (uint32_t i = 0; i < count + 3; i++)

@@ -283,6 +283,7 @@ flip_graph_build(const point2 *points, uint32_t n, const tri_options *options,
     walk w = {.points = points, .g = out};
     tri_status status = lawson_triangulate(points, n, options, &w.m);
     if (status == TRI_OK) {
+        w.m.trace = options != NULL ? options->trace : NULL;
         out->words = pair_number(0, n) / 64 + 1;
         w.here = new_set(out->words);
         status = w.here == NULL ? TRI_OUT_OF_MEMORY : TRI_OK;
