@@ -170,8 +170,8 @@ add_square(wide *w, int sign, double p, double q)
 /* ---- The four tests. ---- */
 
 /* A product's sign is known from the order of the coordinates, so only two
- * products of the same sign need arithmetic. The order alone decides coinciding
- * points and lines parallel to an axis. */
+ * products of the same sign need arithmetic. The order alone decides orient2d for
+ * three points on a line parallel to an axis, and when c is a or b. */
 int
 cross_sign_exact(point2 p, point2 q, point2 r, point2 s)
 {
