@@ -82,8 +82,10 @@ verdict is_complex(const point2 *points, uint32_t n, simplex_list list);
  *      with one lexicographic maximum
  * (page 2.1, def4.P1 to def4.P4: that is enough). Collinear points have the empty
  * list and no other: docs/errata.md, E3.
- * Refuted: the vertices to look at. Cost: O(n + triangles); at most two tests for
- * each triangle and each point. TRI_OUT_OF_MEMORY: *out says nothing.
+ * Refuted: the vertices to look at. Cost: O(n + triangles); at most one orientation
+ * test a triangle and a hull edge, 2 comparisons a point and 4 a hull edge; for the
+ * empty list, one test a point. TRI_OUT_OF_MEMORY, TRI_TOO_MANY_POINTS (see
+ * triangle_list_twins): *out says nothing.
  */
 tri_status is_triangulation(const point2 *points, uint32_t n, triangle_list list,
                             verdict *out);
