@@ -30,12 +30,12 @@ bool is_flippable(const mesh *m, const point2 *points, halfedge_id ab);
 /* Flips ab to cd: the triangles abc and bad become dca and cdb.
  *
  *              c                        c           before   after
- *            / ^ \                    / | \         ab       dc
- *          /   |   \                /   |   \       bc       ca
- *        /     |     \     flip   /     |     \     ca       ad
- *       a -----+----> b   =====> a      |      b    ba       cd
- *        \     |     /            \     |     /     ad       db
- *          \   |   /                \   |   /       db       bc
+ *            /   \                    / ^ \         ab       dc
+ *          /       \                /   |   \       bc       ca
+ *        /           \     flip   /     |     \     ca       ad
+ *       a ----------> b   =====> a      |      b    ba       cd
+ *        \           /            \     |     /     ad       db
+ *          \       /                \   |   /       db       bc
  *            \   /                    \ | /
  *              d                        d
  *
@@ -81,7 +81,8 @@ void push_link(edge_stack *L, halfedge_id cd);
  *
  * If every edge of *L->m that is not locally Delaunay is on the stack, then *L->m is
  * Delaunay afterwards (Theorem 3).
- * Cost: at most C(u,2) flips; one incircle test for each edge taken from the stack.
+ * Cost: at most C(u,2) flips; at most one incircle test for each edge taken from the
+ * stack.
  */
 void lawson_flip(edge_stack *L, const point2 *points);
 
@@ -95,7 +96,8 @@ tri_status lawson_triangulate(const point2 *points, uint32_t n,
  * Holds exactly when is_triangulation (2.1) does and no two neighbours abc, abd
  * have d strictly inside the circle of abc (Theorem 3: that is enough).
  * Refuted: the four points a, b, c, d, or the witness of is_triangulation.
- * Cost: O(n log n). TRI_OUT_OF_MEMORY: *out says nothing.
+ * Cost: O(n + triangles); that of is_triangulation, and an incircle test an inner
+ * edge. TRI_OUT_OF_MEMORY, TRI_TOO_MANY_POINTS (as there): *out says nothing.
  */
 tri_status is_delaunay(const point2 *points, uint32_t n, triangle_list list,
                        verdict *out);
