@@ -13,8 +13,8 @@
  *          a ----------> b
  *
  * Outside the convex hull there is one more vertex, GHOST, joined to every hull
- * edge. So every half-edge has a twin, and u locations always make 2u-2
- * triangles and 3u-3 edges, ghosts included, collinear locations too: they are
+ * edge. So every half-edge has a twin, and u >= 1 locations always make
+ * 2u-2 triangles and 3u-3 edges, ghosts included, collinear locations too: they are
  * a path, and each edge of the path has a ghost triangle on both sides.
  *
  * A hull edge is a half-edge with a ghost triangle on its right: the hull lies to

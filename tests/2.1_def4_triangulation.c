@@ -7,6 +7,7 @@
  */
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.4_primitives/predicates.h"
 #include "chapters/contents.h"
 #include "lib/memory.h"
 #include "tests/harness/harness.h"
@@ -29,7 +30,15 @@ every_algorithm_triangulates(const point2 *points, uint32_t n)
         claim_verdict("def4.P3", mesh_check(&m));
         CLAIM("def4.P3", mesh_triangles(&m, &list) == TRI_OK, "out of memory");
         test_picture(list);
+        predicate_counts before = predicate_count;
         CLAIM("def4.P3", is_triangulation(points, n, list, &v) == TRI_OK, "out of memory");
+        uint64_t tests = predicate_count.orient2d - before.orient2d;
+        uint64_t comparisons = predicate_count.compare_along - before.compare_along;
+        uint64_t t = list.count, h = mesh_hull_size(&m);
+        CLAIM("def4.P6", t == 0 || (tests <= t + h && comparisons <= 2 * n + 4 * h),
+              "%llu tests and %llu comparisons for t = %llu, h = %llu, n = %u",
+              (unsigned long long)tests, (unsigned long long)comparisons,
+              (unsigned long long)t, (unsigned long long)h, n);
         triangle_list_free(&list);
         mesh_free(&m);
         claim_verdict("def4.P3", v);

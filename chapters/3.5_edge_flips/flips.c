@@ -135,7 +135,7 @@ lawson_flip(edge_stack *L, const point2 *points)
         if (is_locally_delaunay(K, points, ab))   // Line 3
             continue;
         flip(K, ab);                              // Line 4: ab becomes cd.
-        push_link(L, ab);                         // Line 5: push ac, cb, bd, da.
+        push_link(L, ab);                         // Line 5: push ac, cb, db, da.
     }                                             // Lines 6-7
 }
 
