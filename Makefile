@@ -28,13 +28,14 @@ HARNESS  := $(wildcard tests/harness/*.c tests/oracle/*.c)
 TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests/tools_*.c))
 TRI      := $(wildcard tools/tri/*.c)
 WEAVE    := $(wildcard tools/weave/*.c)
+BENCH    := $(wildcard tools/bench/*.c) tools/tri/distributions.c
 TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 
 PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
 COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
 all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave \
-     $(TOOLS:%=$(BUILD)/%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+     $(BUILD)/bench/bench $(TOOLS:%=$(BUILD)/%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
@@ -89,6 +90,11 @@ $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
+$(BUILD)/bench/bench: $(BENCH:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
+	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
@@ -133,8 +139,9 @@ figures: $(FIGURES:%=$(BUILD)/figures/%) ## draw every figure of the pages again
 book: $(BUILD)/weave ## the pages as a static HTML book in build/book/ (needs pandoc)
 	tools/book.sh $(BUILD)
 
-bench: $(BUILD)/tri ## times relative to sorting the same points
-	tools/bench.sh $(BUILD)
+bench: $(BUILD)/bench/bench $(BUILD)/tri ## times relative to sorting the same points
+	$(BUILD)/bench/bench -o $(BUILD)/bench
+	tools/bench/programs.sh $(BUILD)
 
 mutants: ## plant bugs one by one; each must be caught by a named statement
 	tests/mutants/run.sh

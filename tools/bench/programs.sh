@@ -1,5 +1,5 @@
 #!/bin/sh
-# bench.sh BUILD - how long do the algorithms take, compared with sorting the points?
+# programs.sh BUILD - how long do whole programs take, compared with sorting the points?
 #
 # The yardstick is `LC_ALL=C sort --parallel=1 -n` on a file of uniform points, one "x y"
 # a line: a program that everybody has, which reads, compares and writes the same lines.
@@ -7,13 +7,13 @@
 # A B A B, so that a machine that becomes slower is slower for both; what counts is the
 # processor time, user and system, that each has used.
 #
-# Prints a table, and writes it to BUILD/bench/bench.csv. The environment may say
+# Prints a table, and writes it to BUILD/bench/programs.csv. The environment may say
 # BENCH_POINTS (1000000), BENCH_RUNS (5) and BENCH_SECONDS (30), after which an algorithm
 # is given up: some take quadratic time, or nearly.
 set -eu
 
 if [ $# -ne 1 ]; then
-    echo "usage: tools/bench.sh BUILD" >&2
+    echo "usage: tools/bench/programs.sh BUILD" >&2
     exit 2
 fi
 tri=$1/tri
@@ -23,12 +23,12 @@ runs=${BENCH_RUNS-5}
 limit=${BENCH_SECONDS-30}
 
 if ! LC_ALL=C sort --parallel=1 -n /dev/null 2>/dev/null; then
-    echo "bench: needs GNU sort, with the option --parallel" >&2
+    echo "programs.sh: needs GNU sort, with the option --parallel" >&2
     exit 2
 fi
 # shellcheck disable=SC3045 # not in POSIX; asked for here
 if ! (ulimit -t "$limit") 2>/dev/null; then
-    echo "bench: needs a shell with ulimit -t, such as dash or bash" >&2
+    echo "programs.sh: needs a shell with ulimit -t, such as dash or bash" >&2
     exit 2
 fi
 mkdir -p "$bench"
@@ -66,7 +66,7 @@ least_and_median() {
 }
 
 row='%-11s %10s %10s %10s %10s %8s %8s\n'
-table=$bench/bench.csv
+table=$bench/programs.csv
 echo "$count uniform points, $runs runs each, seconds of processor time"
 # shellcheck disable=SC2059 # the format of every row is the same
 printf "$row" algorithm least median sort-least sort-med. ratio ratio-med.
