@@ -140,6 +140,10 @@ book: $(BUILD)/weave ## the pages as a static HTML book in build/book/ (needs pa
 	tools/book.sh $(BUILD)
 
 bench: $(BUILD)/bench/bench $(BUILD)/tri ## times relative to sorting the same points
+	@if command -v g++ >/dev/null; then \
+	  g++ $(CFLAGS) -I. tools/bench/std_sort.cpp $(BUILD)/posix/tools/bench/yardstick.o \
+	    -o $(BUILD)/bench/std_sort && $(BUILD)/bench/std_sort; \
+	else echo "std::sort is not measured: there is no g++"; fi
 	$(BUILD)/bench/bench -o $(BUILD)/bench
 	tools/bench/programs.sh $(BUILD)
 

@@ -16,7 +16,6 @@
  */
 #include "lib/memory.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/yardstick.h"
 #include "tools/tri/tri.h"
 
 #include <stdlib.h>
@@ -88,7 +87,7 @@ measure_turns(const plan *p, const algorithm *a, const point2 *points, uint32_t 
             c.bytes_per_point = r.bytes / n;
         r = measure(NULL, points, n, p->seconds);
         if (r.end != RUN_DONE)
-            refuse("the yardstick has failed;", "give it more seconds");
+            refuse("the yardstick has not ended well:", "more seconds?");
         sort[i] = r.seconds;
     }
     c.ours = summarize(ours, p->runs);
@@ -182,59 +181,6 @@ print_table(const plan *p, uint32_t n)
     return well;
 }
 
-/* ---- Is the yardstick a good one? ---- */
-
-/* Seconds that the C++ program says; negative if there is none to ask. */
-static double
-seconds_of(const char *line)
-{
-    double seconds = -1;
-    FILE *answer = popen(line, "r");
-    if (answer == NULL)
-        return -1;
-    if (fscanf(answer, "%lf", &seconds) != 1)
-        seconds = -1;
-    return pclose(answer) == 0 ? seconds : -1;
-}
-
-/* Compares the yardstick with std::sort on n uniform points, where g++ is there. */
-static void
-compare_with_std_sort(const plan *p, uint32_t n)
-{
-    char line[1024], file[512];
-    double ours[MOST_RUNS], theirs[MOST_RUNS];
-    random_source source = random_from_seed(1);
-    snprintf(line, sizeof line, "g++ -O3 -o '%s/std_sort' "
-             "tools/bench/std_sort.cpp 2>'%s/std_sort.txt'", p->folder, p->folder);
-    if (system(line) != 0) {
-        printf("std::sort is not measured: there is no g++, or it failed "
-               "(%s/std_sort.txt)\n", p->folder);
-        return;
-    }
-    point2 *points = memory_array(n, sizeof *points);
-    snprintf(file, sizeof file, "%s/uniform.bin", p->folder);
-    FILE *out = fopen(file, "wb");
-    if (points == NULL || out == NULL)
-        refuse("cannot write", file);
-    distributions[0].fill(points, n, &source);
-    bool written = fwrite(points, sizeof *points, n, out) == n;
-    if (fclose(out) != 0 || !written)
-        refuse("cannot write", file);
-
-    snprintf(line, sizeof line, "'%s/std_sort' '%s'", p->folder, file);
-    for (unsigned i = 0; i < p->runs; i++) {
-        ours[i] = measure(NULL, points, n, p->seconds).seconds;
-        theirs[i] = seconds_of(line);
-        if (theirs[i] <= 0)
-            refuse("cannot measure with", line);
-    }
-    summary we = summarize(ours, p->runs), they = summarize(theirs, p->runs);
-    printf("the yardstick over std::sort, %lu %s points: %.2f least, %.2f median\n",
-           (unsigned long)n, distributions[0].name, we.least / they.least,
-           we.median / they.median);
-    memory_free(points);
-}
-
 /* ---- What is asked. ---- */
 
 /* Reads a word that is no option into the plan. */
@@ -304,7 +250,6 @@ main(int argc, char **argv)
 
     printf("%u runs each; processor time over that of the yardstick: least, median\n",
            p.runs);
-    compare_with_std_sort(&p, p.size[p.sizes - 1]);
     for (int i = 0; i < p.sizes; i++)
         well = print_table(&p, p.size[i]) && well;
     printf("\nthe times themselves: %s\n", path);

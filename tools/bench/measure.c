@@ -44,6 +44,16 @@ memory_said(const char *name)
     return kilobytes < 0 ? -1 : 1024 * kilobytes;
 }
 
+/* A yardstick that does not sort would measure nothing. */
+static bool
+is_sorted(const point2 *p, uint32_t n)
+{
+    for (uint32_t i = 1; i < n; i++)
+        if (p[i].x < p[i - 1].x || (p[i].x == p[i - 1].x && p[i].y < p[i - 1].y))
+            return false;
+    return true;
+}
+
 /* Some clocks of processor time tick every hundredth of a second: short work is
  * done again until it has taken LEAST_SECONDS. Sorting needs a new copy each time, and
  * all are made before the clock starts; there are COPIED_POINTS to sort. */
@@ -81,6 +91,10 @@ run_here(const algorithm *a, const point2 *points, uint32_t n)
         rounds++;
         passed = processor_seconds() - start;
     } while (rounds < most && passed < LEAST_SECONDS);
+    if (a == NULL && !is_sorted(copy, n)) {
+        fprintf(stderr, "bench: the yardstick does not sort\n");
+        return r;
+    }
     r.end = RUN_DONE;
     r.seconds = passed / (double)rounds;
     r.bytes = held < 0 ? -1 : memory_said("VmHWM:") - held;
