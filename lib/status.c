@@ -27,7 +27,8 @@ tri_status_text(tri_status status)
     case TRI_CANNOT_WRITE:
         return "the file cannot be written";
     case TRI_OUT_OF_RANGE:
-        return "a result is larger than the largest double: use a smaller unit";
+        return "a result is larger than the largest double: points nearly on "
+               "one line have a circle that is too large";
     }
     return "unknown status";
 }

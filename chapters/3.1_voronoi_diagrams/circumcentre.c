@@ -212,6 +212,10 @@ static tri_status
 rounded(const quotient *t, double *x)
 {
     int sign = compare_with(t, 0, 0);
+    if (sign == 0) { /* frequent: sites that lie symmetrically about an axis */
+        *x = 0;
+        return TRI_OK;
+    }
     uint64_t low = search(t, sign);
     if (low == LAST) {
         *x = sign * double_of(LAST);
@@ -220,6 +224,7 @@ rounded(const quotient *t, double *x)
     double below = sign * double_of(low), above = sign * double_of(low + 1);
     int half = sign * compare_with(t, below, above);
     *x = half > 0 || (half == 0 && low % 2 == 1) ? above : below;
+    *x += 0.0; /* what rounds to -0 is 0 */
     return TRI_OK;
 }
 

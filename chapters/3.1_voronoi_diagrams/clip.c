@@ -121,13 +121,14 @@ uint32_t
 cut_polygon(const point2 *polygon, uint32_t size, point2 p, point2 q,
             point2 *out)
 {
-    uint32_t kept = 0;
+    uint32_t kept = 0, crossings = 0; /* rounding may see more than two */
     for (uint32_t i = 0; i < size; i++) {
         point2 a = polygon[i], b = polygon[(i + 1) % size];
         double at_a = excess(a, p, q), at_b = excess(b, p, q);
         if (at_a <= 0)
             out[kept++] = a;
-        if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) {
+        bool crosses = (at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0);
+        if (crosses && crossings++ < 2) {
             double t = at_a / (at_a - at_b);
             out[kept++] =
                 (point2){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};

@@ -75,7 +75,7 @@ typedef struct subdivision {
 tri_status delaunay_subdivision(const mesh *m, const point2 *points,
                                 subdivision *out);
 
-/* Have the two the same cells? Cost: O(n). */
+/* Have the two the same cells? Requires: neither is zeroed. Cost: O(n). */
 bool subdivisions_are_equal(const subdivision *s, const subdivision *t);
 
 /* Frees the arrays and zeroes *s; a zeroed subdivision is accepted. */

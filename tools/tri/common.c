@@ -268,8 +268,7 @@ note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles)
     if (triangles > 0)
         return;
     if (locations < 3)
-        fprintf(stderr, "tri: no triangles: there are only %lu locations\n",
-                (unsigned long)locations);
+        fprintf(stderr, "tri: no triangles: fewer than 3 locations\n");
     else
         fprintf(stderr, "tri: no triangles: all points lie on one line\n");
 }
