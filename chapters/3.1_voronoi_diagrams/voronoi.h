@@ -163,8 +163,8 @@ vertex_id nearest_site(const mesh *m, const point2 *points, point2 x,
                        vertex_id start, uint32_t *visited);
 
 /* The local coordinates of site p among the sites beyond the edges of its cell:
- * weights w that are positive, have the sum 1, and for which the sum of w_q q
- * is p. There are two such families:
+ * weights w, positive before rounding, with the sum 1, for which the sum of
+ * w_q q is p. There are two such families:
  *
  *   laplace   w_q proportional to l_q / |pq|, with l_q the length of the edge
  *             that the cells of p and q share
