@@ -111,7 +111,7 @@ programs_in_cplusplus_find_everything(void)
 {
     run_make("install");
     FILE *file = fopen(in_scratch("plus.cc").text, "w");
-    CLAIM("install.setup", file != NULL && fputs(in_cplusplus, file) >= 0 &&
+    CLAIM("install.compiles", file != NULL && fputs(in_cplusplus, file) >= 0 &&
           fclose(file) == 0, "plus.cc cannot be written");
     compile_and_run("$cplusplus -std=c++17", "plus.cc");
 }
