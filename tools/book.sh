@@ -16,7 +16,7 @@ fi
 
 pages="README.md chapters/README.md $(echo chapters/[0-9]*/README.md)
        docs/notes_map.md docs/errata.md docs/glossary.md docs/references.md
-       docs/conventions.md docs/grading.md"
+       docs/conventions.md docs/grading.md docs/performance.md"
 book=$build/book.new
 rm -rf "$book"
 mkdir -p "$book"
