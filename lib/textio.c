@@ -2,6 +2,7 @@
  * textitems.c, texttable.c; writing: textwrite.c. */
 #include "lib/textio.h"
 
+#include "lib/binary.h"
 #include "lib/memory.h"
 #include "lib/textlines.h"
 
@@ -83,6 +84,8 @@ tri_status
 text_parse_points(const char *name, const char *bytes, size_t size,
                   text_points *out, text_error *error)
 {
+    if (binary_begins(bytes, size))
+        return binary_parse_points(bytes, size, out, error);
     *out = (text_points){0};
     text_lines t;
     tri_status status = text_lines_begin(&t, bytes, size, error);

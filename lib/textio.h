@@ -25,6 +25,8 @@
  * Otherwise its first line does: four whole numbers without commas, the second
  * of them 2, begin a .node file, anything else a table.
  *
+ * Points may also come as bits, without decimals (lib/binary.h), under any name.
+ *
  * Numbers are decimals and rounded to the nearest double; the locale does not
  * matter. Lines end in LF or CRLF and may be of any length.
  */
