@@ -22,6 +22,7 @@ extern "C" {
 #include "chapters/3.5_edge_flips/flip_graph.h"
 #include "chapters/3.5_edge_flips/flips.h"
 #include "chapters/3.6_randomized_incremental/biased_order.h"
+#include "chapters/3.6_randomized_incremental/bucket_grid.h"
 #include "chapters/3.6_randomized_incremental/incremental.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
 #include "chapters/contents.h"

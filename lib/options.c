@@ -38,7 +38,7 @@ tri_accept(const point2 *points, uint32_t n, const tri_options *given,
     if (used->cuts != TRI_CUTS_VERTICAL && used->cuts != TRI_CUTS_ALTERNATING)
         return TRI_BAD_OPTION;
     if (used->locator != TRI_LOCATOR_WALK && used->locator != TRI_LOCATOR_BUCKETS &&
-        used->locator != TRI_LOCATOR_HISTORY)
+        used->locator != TRI_LOCATOR_HISTORY && used->locator != TRI_LOCATOR_GRID)
         return TRI_BAD_OPTION;
     if (!arithmetic_is_ieee())
         return TRI_BAD_FP_ENVIRONMENT;

@@ -31,7 +31,8 @@ typedef enum tri_cuts {
 typedef enum tri_locator {
     TRI_LOCATOR_WALK,    /* by a straight walk from the point before */
     TRI_LOCATOR_BUCKETS, /* each triangle keeps the points that wait in it */
-    TRI_LOCATOR_HISTORY  /* through all triangles that have been there */
+    TRI_LOCATOR_HISTORY, /* through all triangles that have been there */
+    TRI_LOCATOR_GRID     /* by a walk from a vertex that a grid finds near by */
 } tri_locator;
 
 typedef struct tri_options {

@@ -199,7 +199,7 @@ insert_watched(const point2 *points, uint32_t n, tri_locator kind, bool thorough
 static void
 every_step_is_delaunay(const point2 *points, uint32_t n)
 {
-    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3),
+    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 4),
                    true);
 }
 
@@ -207,14 +207,14 @@ every_step_is_delaunay(const point2 *points, uint32_t n)
 static void
 all_locators_give_delaunay(const point2 *points, uint32_t n)
 {
-    for (int kind = 0; kind < 3; kind++)
+    for (int kind = 0; kind < 4; kind++)
         insert_watched(points, n, (tri_locator)kind, false);
 }
 
 static void
 some_locator_gives_delaunay(const point2 *points, uint32_t n)
 {
-    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 3),
+    insert_watched(points, n, (tri_locator)random_below(test_random_source(), 4),
                    false);
 }
 
@@ -362,10 +362,10 @@ a_given_order_is_followed(void)
           incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
           "an order that names no point was accepted");
     options.order = NULL;
-    options.locator = (tri_locator)3;
+    options.locator = (tri_locator)4;
     CLAIM("fig12.P4",
           incremental_triangulate(points, n, &options, &m) == TRI_BAD_OPTION,
-          "a fourth locator was accepted");
+          "a fifth locator was accepted");
 }
 
 static int
@@ -386,14 +386,14 @@ it_can_be_stopped_and_memory_may_run_out(void)
     for (uint32_t i = 0; i < n; i++)
         order[i] = n - 1 - i;
     trace stop = {see_and_stop};
-    for (int kind = 0; kind < 4; kind++) {
+    for (int kind = 0; kind < 5; kind++) {
         tri_options options = tri_options_default();
-        options.locator = (tri_locator)(kind % 3);
+        options.locator = (tri_locator)(kind % 4);
         options.order = kind == 0 ? order : NULL;
         options.trace = &stop;
         mesh m;
         CLAIM("fig12.P4",
-              (kind < 3 ? incremental_triangulate : biased_triangulate)(
+              (kind < 4 ? incremental_triangulate : biased_triangulate)(
                   points, n, &options, &m) == TRI_CANCELLED &&
                   m.halfedge == NULL,
               "the observer could not stop it");
@@ -402,7 +402,7 @@ it_can_be_stopped_and_memory_may_run_out(void)
         unsigned long k = 1;
         for (; status == TRI_OUT_OF_MEMORY; k++) {
             memory_fail_at(k);
-            status = (kind < 3 ? incremental_triangulate
+            status = (kind < 4 ? incremental_triangulate
                                : biased_triangulate)(points, n, &options, &m);
             memory_fail_at(0);
             CLAIM("fig12.P4", status == TRI_OK || m.halfedge == NULL,

@@ -1,8 +1,20 @@
-/* locator.c - walk, buckets or history: whom to ask and whom to tell. */
+/* locator.c - walk, buckets, history or grid: whom to ask and whom to tell. */
 #include "chapters/3.6_randomized_incremental/locator.h"
 
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/trace.h"
+
+/* The two ends of the first edge have come already. */
+static tri_status
+grid_begin(bucket_grid *g, const point2 *points, const vertex_id *order, uint32_t count)
+{
+    tri_status status = bucket_grid_init(g, points, order, count);
+    if (status != TRI_OK)
+        return status;
+    bucket_grid_add(g);
+    bucket_grid_add(g);
+    return TRI_OK;
+}
 
 tri_status
 locator_init(locator *T, tri_locator kind, mesh *m, const point2 *points,
@@ -13,6 +25,8 @@ locator_init(locator *T, tri_locator kind, mesh *m, const point2 *points,
         T->status = buckets_init(&T->waiting, m, points, order);
     else if (kind == TRI_LOCATOR_HISTORY)
         T->status = history_init(&T->past, m, points, order);
+    else if (kind == TRI_LOCATOR_GRID)
+        T->status = grid_begin(&T->near, points, order, m->locations);
     return T->status;
 }
 
@@ -21,6 +35,7 @@ locator_free(locator *T)
 {
     buckets_free(&T->waiting);
     history_free(&T->past);
+    bucket_grid_free(&T->near);
     *T = (locator){0};
 }
 
@@ -61,6 +76,8 @@ find(locator *T, vertex_id p)
         return place_in(T->m, T->points, buckets_find(&T->waiting, p), at);
     case TRI_LOCATOR_HISTORY:
         return place_in(T->m, T->points, history_find(&T->past, p), at);
+    case TRI_LOCATOR_GRID:
+        return straight_walk(T->m, T->points, bucket_grid_near(&T->near, at), at);
     case TRI_LOCATOR_WALK:
         break;
     }
@@ -119,7 +136,9 @@ share_in_line(locator *T, vertex_id p)
 void
 locator_split(locator *T, place at, vertex_id p)
 {
-    if (T->kind == TRI_LOCATOR_WALK)
+    if (T->kind == TRI_LOCATOR_GRID)
+        bucket_grid_add(&T->near);
+    if (T->kind != TRI_LOCATOR_BUCKETS && T->kind != TRI_LOCATOR_HISTORY)
         return;
     switch (at.kind) {
     case PLACE_TRIANGLE: /* e, from a to b, has p for its apex now */

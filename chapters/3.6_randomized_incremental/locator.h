@@ -1,10 +1,12 @@
-/* locator.h - line 3 of Figure 12, in one of three ways.
+/* locator.h - line 3 of Figure 12, in one of four ways.
  *
- * Notes: section 3.6.4. Needs: walk.h, buckets.h, history.h.
+ * Notes: section 3.6.4; the grid: 3.7. Needs: walk.h, buckets.h, history.h,
+ * bucket_grid.h.
  */
 #ifndef CHAPTERS_3_6_LOCATOR_H
 #define CHAPTERS_3_6_LOCATOR_H
 
+#include "chapters/3.6_randomized_incremental/bucket_grid.h"
 #include "chapters/3.6_randomized_incremental/buckets.h"
 #include "chapters/3.6_randomized_incremental/history.h"
 #include "chapters/3.6_randomized_incremental/walk.h"
@@ -17,6 +19,7 @@ typedef struct locator {
     vertex_id last;    /* walk: the vertex to begin at, the one found last */
     buckets waiting;   /* zeroed for the other kinds */
     history past;      /* zeroed for the other kinds */
+    bucket_grid near;  /* zeroed for the other kinds */
     tri_status status; /* has memory run out? Then locate must not be called */
 } locator;
 

@@ -15,7 +15,7 @@ const command commands[] = {
      "  --direction DX,DY  the order of the points in 2.3, 3.5 and 3.7: along\n"
      "                     it (1,0 if not given)\n"
      "  --cuts WORD        3.7: vertical (if not given) or alternating\n"
-     "  --locator WORD     3.6: walk, buckets (if not given) or history\n"
+     "  --locator WORD     3.6: walk, buckets (if not given), history, grid\n"
      "  --seed N           3.6: names the random order (0 if not given)\n"
      "  -o FILE            the triangles, written as the ending of FILE says\n"
      "  --svg FILE         a picture\n"

@@ -28,7 +28,7 @@ typedef struct request {
 } request;
 
 static point2
-parse_direction(const char *text)
+parse_direction(const char *name, const char *text)
 {
     point2 d = {0, 0};
     const char *comma = strchr(text, ',');
@@ -36,14 +36,15 @@ parse_direction(const char *text)
         decimal_read(text, (size_t)(comma - text), &d.x) == DECIMAL_NUMBER &&
         decimal_read(comma + 1, strlen(comma + 1), &d.y) == DECIMAL_NUMBER;
     if (!good || (d.x == 0 && d.y == 0))
-        die_usage("triangulate", "--direction %s: needed are two numbers, not "
+        die_usage(name, "--direction %s: needed are two numbers, not "
                   "both 0, with a comma between them, such as 0,1", text);
     return d;
 }
 
 /* The place of a word among those that an option takes, in the order of its enum. */
 static int
-parse_word(const char *option, const char *text, const char *const words[], int count)
+parse_word(const char *name, const char *option, const char *text,
+           const char *const words[], int count)
 {
     char all[100] = "";
     for (int i = 0; i < count; i++) {
@@ -52,25 +53,24 @@ parse_word(const char *option, const char *text, const char *const words[], int 
         strcat(all, " ");
         strcat(all, words[i]);
     }
-    die_usage("triangulate", "%s %s: needed is one of:%s", option, text, all);
+    die_usage(name, "%s %s: needed is one of:%s", option, text, all);
 }
 
-/* What some algorithms take, each with its default where it is not given. */
-static tri_options
+tri_options
 parse_options(int *argc, char **argv)
 {
     static const char *const cuts[] = {"vertical", "alternating"};
-    static const char *const locators[] = {"walk", "buckets", "history"};
+    static const char *const locators[] = {"walk", "buckets", "history", "grid"};
     tri_options options = tri_options_default();
     const char *text;
     if ((text = take_option(argc, argv, "--direction")) != NULL)
-        options.direction = parse_direction(text);
+        options.direction = parse_direction(argv[0], text);
     if ((text = take_option(argc, argv, "--cuts")) != NULL)
-        options.cuts = (tri_cuts)parse_word("--cuts", text, cuts, 2);
+        options.cuts = (tri_cuts)parse_word(argv[0], "--cuts", text, cuts, 2);
     if ((text = take_option(argc, argv, "--locator")) != NULL)
-        options.locator = (tri_locator)parse_word("--locator", text, locators, 3);
+        options.locator = (tri_locator)parse_word(argv[0], "--locator", text, locators, 4);
     if ((text = take_option(argc, argv, "--seed")) != NULL)
-        options.seed = parse_whole("triangulate", "--seed", text, UINT64_MAX);
+        options.seed = parse_whole(argv[0], "--seed", text, UINT64_MAX);
     return options;
 }
 
