@@ -7,6 +7,7 @@
 
 #include "lib/mesh.h"
 #include "lib/options.h"
+#include "lib/steps.h"
 
 typedef struct algorithm {
     const char *name;     /* as in `tri triangulate --algorithm NAME` */
@@ -17,6 +18,7 @@ typedef struct algorithm {
     bool delaunay;       /* is the result a Delaunay triangulation? */
     uint32_t most;       /* with more points it takes longer than tests can wait */
     const char *summary; /* a phrase for people */
+    const figure_steps *steps; /* for those who watch; NULL: it reports nothing */
 } algorithm;
 
 extern const algorithm contents[];

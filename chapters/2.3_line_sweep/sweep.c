@@ -87,8 +87,7 @@ hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_
 
 /* ---- Lines 2 and 5: the first edge, and what becomes of the visible ones. ---- */
 
-/* The edge from a to b; returns the hull edge that leaves b. */
-static halfedge_id
+halfedge_id
 start(mesh *m, vertex_id a, vertex_id b)
 {
     halfedge_id ab = mesh_start(m, a, b);

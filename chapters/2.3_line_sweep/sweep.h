@@ -8,6 +8,7 @@
 
 #include "lib/mesh.h"
 #include "lib/options.h"
+#include "lib/steps.h"
 
 /* Some consecutive hull edges: from `first` up to and without `end`, by
  * mesh_hull_next. None at all when the two are the same: then it is a place on
@@ -39,6 +40,12 @@ tri_status sort_along(const point2 *points, uint32_t n, point2 d, vertex_id *ord
 hull_chain hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last,
                              vertex_id p);
 
+/* The first edge, from a to b. Returns the hull edge that leaves b.
+ * Cost: O(1). Source: notes 2.3, line 2 of Figure 3; an edge and not a triangle:
+ * docs/errata.md, E11.
+ */
+halfedge_id start(mesh *m, vertex_id a, vertex_id b);
+
 /* Joins p to each hull edge of q by a triangle, and to the hull by two edges; if
  * q is empty, by a single edge. Returns the new hull edge that leaves p.
  *
@@ -66,5 +73,8 @@ tri_status sweep_triangulate(const point2 *points, uint32_t n,
  * Cost: O(n). Source: notes 2.3, last paragraph.
  */
 uint32_t hull_vertices(const mesh *m, vertex_id *hull);
+
+/* Which line of Figure 3 is run in each step. */
+extern const figure_steps sweep_steps;
 
 #endif

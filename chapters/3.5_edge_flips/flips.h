@@ -8,6 +8,7 @@
 
 #include "lib/mesh.h"
 #include "lib/options.h"
+#include "lib/steps.h"
 
 /* Is ab locally Delaunay (Definition 9)?
  *
@@ -101,5 +102,8 @@ tri_status lawson_triangulate(const point2 *points, uint32_t n,
  */
 tri_status is_delaunay(const point2 *points, uint32_t n, triangle_list list,
                        verdict *out);
+
+/* Which line of Figure 10 is run in each step. */
+extern const figure_steps lawson_steps;
 
 #endif

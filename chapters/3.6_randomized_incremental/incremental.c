@@ -31,15 +31,6 @@ is_locally_delaunay_at_infinity(const mesh *m, const point2 *points, halfedge_id
     return !circle_contains(points, b, a, d, c);
 }
 
-/* ---- Line 1: the first edge stands for the triangle xyz. ---- */
-
-static void
-start(mesh *m, vertex_id a, vertex_id b)
-{
-    halfedge_id ab = mesh_start(m, a, b);
-    trace_report(m, (trace_event){TRACE_START, ab, a, b, NONE, NONE});
-}
-
 /* ---- Line 4: the split. ---- */
 
 static void
@@ -152,7 +143,7 @@ incremental_flip(mesh *D, const point2 *points, const vertex_id *order,
 {
     if (D->locations < 2)
         return TRI_OK;
-    start(D, order[0], order[1]);                   // Line 1
+    start(D, order[0], order[1]);                   // Line 1: it stands for xyz.
     edge_stack L = {0};
     locator T;
     tri_status status = locator_init(&T, kind, D, points, order);

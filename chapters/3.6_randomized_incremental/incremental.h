@@ -17,6 +17,7 @@
 #include "lib/mesh.h"
 #include "lib/options.h"
 #include "lib/random.h"
+#include "lib/steps.h"
 
 /* Does q lie strictly inside the circle through a, b, c? The circle through two
  * points and GHOST is their line; its inside is the outer side of the hull edge.
@@ -72,5 +73,8 @@ tri_status insert_in_order(const point2 *points, uint32_t n, const vertex_id *or
  */
 tri_status incremental_triangulate(const point2 *points, uint32_t n,
                                    const tri_options *options, mesh *out);
+
+/* Which line of Figure 12 is run in each step. */
+extern const figure_steps incremental_steps;
 
 #endif

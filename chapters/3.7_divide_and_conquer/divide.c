@@ -14,7 +14,7 @@ triangulate_few(mesh *m, const point2 *points, const vertex_id *L, uint32_t coun
 {
     if (count < 2)
         return;
-    halfedge_id last = mesh_hull_next(m, mesh_start(m, L[0], L[1]));
+    halfedge_id last = start(m, L[0], L[1]);
     if (count == 3)
         attach(m, hull_edges_seeing(m, points, last, L[2]), L[2]);
 }

@@ -10,6 +10,7 @@
 #include "lib/mesh.h"
 #include "lib/options.h"
 #include "lib/random.h"
+#include "lib/steps.h"
 
 /* Two hull edges of different triangulations; speaks of the segment from the vertex
  * where `left` begins to the one where `right` begins. */
@@ -60,5 +61,8 @@ void select_along(const point2 *points, vertex_id *L, uint32_t count, uint32_t k
  */
 tri_status divide_triangulate(const point2 *points, uint32_t n,
                               const tri_options *options, mesh *out);
+
+/* Which step of the merge is run in each step that can be watched. */
+extern const figure_steps divide_steps;
 
 #endif

@@ -51,6 +51,11 @@ const command commands[] = {
      "ends than these are to each other.\n"},
     {"nng", command_graph, "[-o OUT.edge] IN",
      "The edges from each point to its nearest one; of several, to all of them.\n"},
+    {"trace", command_trace, "--algorithm NAME [OPTIONS] [-o FILE.json] IN",
+     "Each step of the algorithm on the points of IN (at most 10,000 points, and a\n"
+     "million steps), as JSON: for pictures that move. The format: docs/trace.md.\n"
+     "  --algorithm NAME   one of those of `tri help triangulate` that report steps\n"
+     "  OPTIONS            --direction, --cuts, --locator, --seed as there\n"},
     {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
      "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"},
     {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",

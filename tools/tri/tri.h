@@ -34,6 +34,7 @@ int command_voronoi(int argc, char **argv);
 int command_flipgraph(int argc, char **argv);
 int command_graph(int argc, char **argv); /* emst, gabriel, rng, nng */
 int command_generate(int argc, char **argv);
+int command_trace(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_help(int argc, char **argv);
 
@@ -102,6 +103,10 @@ void note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles);
 /* What tri triangulate runs when nothing is said: the last row of the table of
  * algorithms that gives Delaunay triangulations. */
 const algorithm *default_algorithm(void);
+
+/* Takes what some algorithms can be told out of argv (--direction, --cuts, --locator,
+ * --seed); what is not given is the default. */
+tri_options parse_options(int *argc, char **argv);
 
 /* ---- distributions.c ---- */
 
