@@ -29,12 +29,14 @@ TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests
 TRI      := $(wildcard tools/tri/*.c)
 WEAVE    := $(wildcard tools/weave/*.c)
 BENCH    := $(wildcard tools/bench/*.c) tools/tri/distributions.c
+JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
+COMPARE  := tools/compare/contestants.c tools/tri/distributions.c
 TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 
 PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
 COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
-all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave \
+all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
      $(BUILD)/bench/bench $(TOOLS:%=$(BUILD)/%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
@@ -90,7 +92,17 @@ $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
+$(BUILD)/jail: $(JAIL:%.c=$(BUILD)/posix/%.o)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@
+
 $(BUILD)/bench/bench: $(BENCH:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
+	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+$(BUILD)/compare/counts: $(patsubst %.c,$(BUILD)/posix-counted/%.o,tools/compare/counts.c $(COMPARE)) \
+                         $(BUILD)/counted/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
@@ -113,7 +125,7 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
-    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(TOOLS:%=$(BUILD)/%)
+    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(TOOLS:%=$(BUILD)/%)
 
 # ---- What people run. ----
 
