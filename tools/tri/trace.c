@@ -22,7 +22,7 @@ enum { MOST_POINTS = 10000, MOST_STEPS = 1000000, SAY_ROOM = 1000 };
 
 /* What belongs to a step besides its sentence. */
 typedef enum field {
-    REMOVE, ADD, PUSH, POP, INSERT, EDGES, CIRCLE, TRIANGLE, POINT, VISITS, MOVES,
+    REMOVE, ADD, PUSH, POP, TURNED, INSERT, EDGES, CIRCLE, TRIANGLE, POINT, VISITS, MOVES,
     FIELDS
 } field;
 
@@ -33,7 +33,7 @@ static const struct {
     uint32_t group;
 } form[FIELDS] = {
     [REMOVE] = {"remove", 2}, [ADD] = {"add", 2}, [PUSH] = {"push", 2}, [POP] = {"pop", 2},
-    [INSERT] = {"insert", 1}, [EDGES] = {"edges", 2}, [CIRCLE] = {"circle", 1},
+    [TURNED] = {"turned", 3}, [INSERT] = {"insert", 1}, [EDGES] = {"edges", 2}, [CIRCLE] = {"circle", 1},
     [TRIANGLE] = {"triangle", 1}, [POINT] = {"point", 0}, [VISITS] = {"visits", 3},
     [MOVES] = {"moves", 4},
 };
@@ -77,6 +77,7 @@ typedef struct tracer {
     pending pending;
     question asked;     /* about the edge popped last */
     bool flipped;       /* since a point was inserted last */
+    id_list stack;      /* the half-edges on it, but for those of rays */
     id_list rays;       /* in a push: where edges to infinity begin */
     id_list walk;       /* triangles visited */
     uint32_t arrows;    /* nodes of the history visited */
@@ -336,8 +337,10 @@ see_push(tracer *w, const trace_event *event)
     w->pending = MORE_PUSHES;
     if (event->a == GHOST || event->b == GHOST)
         put(&w->rays, event->a == GHOST ? event->b : event->a);
-    else
+    else {
         put_edge(&w->field[PUSH], event->a, event->b);
+        put(&w->stack, event->edge);
+    }
 }
 
 static void
@@ -395,6 +398,7 @@ see_pop(tracer *w, const mesh *m, halfedge_id e)
         say_edge(w, q->a, q->b);
         say(w, "?");
     } else {
+        w->stack.count--;
         put_edge(&w->field[POP], q->a, q->b);
         say(w, "pop ");
         say_edge(w, q->a, q->b);
@@ -429,15 +433,31 @@ write_keep(tracer *w)
     write_step(w, STEP_KEEP);
 }
 
+/* Entries of the stack are half-edges. A flip has turned those of two triangles, dc and
+ * its twin among them: entry i, counted from the bottom, is another edge now. */
+static void
+show_turned(tracer *w, const mesh *m, halfedge_id dc)
+{
+    triangle_id t = mesh_triangle_of(dc), u = mesh_triangle_of(mesh_twin(m, dc));
+    for (uint32_t i = 0; i < w->stack.count; i++) {
+        halfedge_id e = w->stack.id[i];
+        if (mesh_triangle_of(e) != t && mesh_triangle_of(e) != u)
+            continue;
+        put(&w->field[TURNED], i);
+        put_edge(&w->field[TURNED], mesh_origin(m, e), mesh_dest(m, e));
+    }
+}
+
 /* What was popped is flipped: ab became cd. A ray becomes an edge to the next hull
  * vertex. */
 static void
-see_flip(tracer *w, const trace_event *event)
+see_flip(tracer *w, const mesh *m, const trace_event *event)
 {
     const question *q = &w->asked;
     w->pending = NOTHING;
     w->flipped = true;
     put_edge(&w->field[ADD], event->c, event->d);
+    show_turned(w, m, event->edge);
     if (q->kind == OF_RAY) {
         put(&w->field[POINT], q->p);
         put_edge(&w->field[EDGES], q->a, q->b);
@@ -718,7 +738,7 @@ see(trace *self, const mesh *m, const trace_event *event)
         if (w->merging)
             see_merge_flip(w, m, event);
         else
-            see_flip(w, event);
+            see_flip(w, m, event);
         break;
     case TRACE_VISIT:
         see_visit(w, m, event->edge);
@@ -781,6 +801,7 @@ write_trace(FILE *file, const algorithm *a, tri_options options, const text_poin
     note_degenerate(in->count, m.locations, m.triangles - mesh_hull_size(&m));
     for (field f = 0; f < FIELDS; f++)
         memory_free(w.field[f].id);
+    memory_free(w.stack.id);
     memory_free(w.rays.id);
     memory_free(w.walk.id);
     mesh_free(&m);
