@@ -31,13 +31,18 @@ WEAVE    := $(wildcard tools/weave/*.c)
 BENCH    := $(wildcard tools/bench/*.c) tools/tri/distributions.c
 JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
 COMPARE  := tools/compare/contestants.c tools/tri/distributions.c
+HANDOUT  := $(filter-out %/splice.c,$(wildcard tools/handout/*.c))
+SPLICE   := $(addprefix tools/handout/,basics.c exercises.c rewrite.c scan.c splice.c)
 TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
+CHECKS   := $(patsubst tools/checks/%.c,%,$(wildcard tools/checks/[0-9]*.c))
+CHECKING := $(filter-out $(CHECKS:%=tools/checks/%.c) tools/checks/signs.c,$(wildcard tools/checks/*.c))
 
 PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
 COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
 all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
-     $(BUILD)/bench/bench $(TOOLS:%=$(BUILD)/%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+     $(BUILD)/handout $(BUILD)/splice \
+     $(BUILD)/bench/bench $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
@@ -96,6 +101,14 @@ $(BUILD)/jail: $(JAIL:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
+$(BUILD)/handout: $(HANDOUT:%.c=$(BUILD)/posix/%.o) | $(BUILD)/weave
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@
+
+$(BUILD)/splice: $(SPLICE:%.c=$(BUILD)/posix/%.o)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@
+
 $(BUILD)/bench/bench: $(BENCH:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
@@ -108,6 +121,12 @@ $(BUILD)/compare/counts: $(patsubst %.c,$(BUILD)/posix-counted/%.o,tools/compare
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
+# One checker for each section: it certifies what a student's program answers.
+$(BUILD)/checker_%: $(CHECKING:%.c=$(BUILD)/posix/%.o) $(BUILD)/posix/tools/checks/%.o \
+                    $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 

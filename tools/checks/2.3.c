@@ -1,0 +1,339 @@
+/* 2.3.c - the properties of exercises 2.3-a to 2.3-d: the line sweep. */
+#include "tools/checks/certify.h"
+#include "tools/checks/checker.h"
+#include "tools/checks/meshes.h"
+
+#include <stdlib.h>
+
+/* ---- 2.3-a: the order of the sweep. ---- */
+
+static site
+give_direction(session *s)
+{
+    site d = {1, 0};
+    if (random_below(trial_random(s), 2) == 0)
+        do
+            d = (site){(int32_t)random_below(trial_random(s), 7) - 3,
+                       (int32_t)random_below(trial_random(s), 7) - 3};
+        while (d.x == 0 && d.y == 0);
+    give_real(s, d.x);
+    give_real(s, d.y);
+    return d;
+}
+
+static bool
+take_ok(session *s)
+{
+    uint32_t status = take_number(s, 0, 100, "the status");
+    return expect(s, status == TRI_OK, "the function returned the status \"%s\"",
+                  tri_status_text((tri_status)status));
+}
+
+static uint32_t *
+room_for(uint32_t n)
+{
+    uint32_t *room = calloc((size_t)n + 1, sizeof *room);
+    if (room == NULL)
+        exit(1);
+    return room;
+}
+
+static uint32_t
+count_locations(const site *p, uint32_t n)
+{
+    uint32_t *lowest = room_for(n);
+    uint32_t count = cases_locations(p, n, lowest);
+    free(lowest);
+    return count;
+}
+
+static void
+order_is_right(session *s, const site *p, uint32_t n)
+{
+    begin_case(s, 'a', p, n);
+    give_points(s);
+    site d = give_direction(s);
+    if (!ask(s) || !take_ok(s))
+        return;
+    uint32_t count = take_number(s, 0, n, "the number of locations");
+    expect(s, failed(s) || count == count_locations(p, n),
+           "%lu locations, but there are %lu", (unsigned long)count,
+           (unsigned long)count_locations(p, n));
+    uint32_t before = 0;
+    for (uint32_t i = 0; i < count && !failed(s); i++) {
+        uint32_t v = take_number(s, 0, n - 1, "an index in order[]");
+        if (i > 0 && !failed(s) &&
+            !expect(s, plane_along(d, p[before], p[v]) < 0,
+                    "the line moving along (%ld,%ld) meets point %lu not before %lu",
+                    (long)d.x, (long)d.y, (unsigned long)before, (unsigned long)v)) {
+            show_witness(s, before);
+            show_witness(s, v);
+        }
+        before = v;
+    }
+    take_end(s);
+}
+
+/* 2 n ceil(log2 n) */
+static uint64_t
+most_comparisons(uint32_t n)
+{
+    uint32_t log = 0;
+    while ((1u << log) < n)
+        log++;
+    return 2 * (uint64_t)n * log;
+}
+
+/* A wrong order may be cheap: only a right one counts. */
+static void
+order_is_cheap(session *s, const site *p, uint32_t n)
+{
+    order_is_right(s, p, n);
+    expect(s, asked_in_all(s) <= most_comparisons(n),
+           "%llu comparisons for %lu points; 2 n ceil(log2 n) is %llu",
+           (unsigned long long)asked_in_all(s), (unsigned long)n,
+           (unsigned long long)most_comparisons(n));
+}
+
+/* ---- 2.3-b: the hull edges that p sees. ---- */
+
+/* What has been swept before p: a triangulation, or a path. */
+typedef struct scene {
+    uint32_t p, latest;  /* the last two locations in the order of the sweep */
+    triangle_list list;  /* of all other points than p */
+    uint32_t *path;      /* without triangles: their path, */
+    uint32_t length;     /* and how many vertices it has */
+} scene;
+
+/* Finds p and the location before it; false when there are fewer than three. */
+static bool
+find_last_two(const site *p, uint32_t n, scene *sc)
+{
+    static const site rightwards = {1, 0};
+    uint32_t *order = room_for(n);
+    uint32_t count = cases_locations(p, n, order);
+    for (uint32_t i = 0; i < 2 && i + 1 < count; i++) /* the two largest to the front */
+        for (uint32_t j = i + 1; j < count; j++)
+            if (plane_along(rightwards, p[order[i]], p[order[j]]) < 0) {
+                uint32_t other = order[i];
+                order[i] = order[j];
+                order[j] = other;
+            }
+    sc->p = order[0];
+    sc->latest = count > 1 ? order[1] : order[0];
+    free(order);
+    return count >= 3;
+}
+
+static void
+set_scene(session *s, scene *sc, const site *p, uint32_t n)
+{
+    uint32_t *swept = room_for(n), count = 0;
+    site *at = calloc(n + 1, sizeof *at);
+    if (at == NULL)
+        exit(1);
+    for (uint32_t i = 0; i < n; i++)
+        if (!plane_same(p[i], p[sc->p])) {
+            at[count] = p[i];
+            swept[count++] = i;
+        }
+    sc->list = mesh_at_random(trial_random(s), at, count, false);
+    for (uint32_t i = 0; i < 3 * sc->list.count; i++)
+        sc->list.corner[i / 3][i % 3] = swept[sc->list.corner[i / 3][i % 3]];
+    keep_triangles(s, sc->list);
+    sc->path = room_for(n);
+    sc->length = sc->list.count > 0 ? 0 : path_of(at, count, sc->path);
+    for (uint32_t i = 0; i < sc->length; i++)
+        sc->path[i] = swept[sc->path[i]];
+    free(at);
+    free(swept);
+}
+
+static void
+give_scene(session *s, const scene *sc)
+{
+    give_points(s);
+    if (sc->list.count > 0)
+        give_triangles(s, sc->list);
+    else
+        give_path(s, sc->path, sc->length);
+    give_number(s, sc->latest);
+    give_number(s, sc->p);
+}
+
+/* How many hull edges p sees; those of a path count on the side towards p. */
+static uint32_t
+count_seen(const scene *sc, const site *p)
+{
+    uint32_t count = 0;
+    halfedge_id *twin = calloc(3 * sc->list.count + 1, sizeof *twin);
+    if (twin == NULL)
+        exit(1);
+    certify_twins(sc->list, twin);
+    for (halfedge_id e = 0; e < 3 * sc->list.count; e++)
+        if (twin[e] == NONE && plane_orient(p[side_origin(sc->list, e)],
+                                            p[side_dest(sc->list, e)], p[sc->p]) < 0)
+            count++;
+    for (uint32_t i = 1; i < sc->length; i++)
+        if (plane_orient(p[sc->path[i - 1]], p[sc->path[i]], p[sc->p]) != 0)
+            count++;
+    free(twin);
+    return count;
+}
+
+/* The chain of the answer, vertex by vertex: is each of its edges seen, and how many? */
+static void
+check_chain(session *s, const site *p, uint32_t n, bool all)
+{
+    scene sc = {0};
+    if (!find_last_two(p, n, &sc))
+        return;
+    set_scene(s, &sc, p, n);
+    begin_case(s, 'b', p, n);
+    give_scene(s, &sc);
+    if (ask(s)) {
+        uint32_t length = take_number(s, 0, n, "the length of the chain");
+        uint32_t a = take_number(s, 0, n - 1, "where the chain begins");
+        if (all)
+            expect(s, failed(s) || length == count_seen(&sc, p),
+                   "the chain has %lu edges, but %lu sees %lu", (unsigned long)length,
+                   (unsigned long)sc.p, (unsigned long)count_seen(&sc, p));
+        if (all && length == 0)
+            expect(s, failed(s) || a == sc.latest,
+                   "nothing is seen, and the place on the hull is at %lu, not at %lu",
+                   (unsigned long)a, (unsigned long)sc.latest);
+        for (uint32_t i = 0; i < length && !failed(s); i++) {
+            uint32_t b = take_number(s, 0, n - 1, "a vertex of the chain");
+            if (!failed(s) && !expect(s, plane_orient(p[a], p[b], p[sc.p]) < 0,
+                                      "hull edge %lu-%lu is in the chain, and %lu is not "
+                                      "strictly right of it",
+                                      (unsigned long)a, (unsigned long)b,
+                                      (unsigned long)sc.p)) {
+                show_witness(s, a);
+                show_witness(s, b);
+                show_witness(s, sc.p);
+            }
+            a = b;
+        }
+        take_end(s);
+    }
+    free(sc.path);
+}
+
+static void
+what_is_listed_is_seen(session *s, const site *p, uint32_t n)
+{
+    check_chain(s, p, n, false);
+}
+
+static void
+what_is_seen_is_listed(session *s, const site *p, uint32_t n)
+{
+    check_chain(s, p, n, true);
+}
+
+/* ---- 2.3-c: the sweep. ---- */
+
+/* On a line: one edge between neighbours, and no other. */
+static void
+take_path(session *s, const site *p, uint32_t n)
+{
+    uint32_t *path = room_for(n);
+    uint32_t locations = path_of(p, n, path);
+    uint32_t edges = take_number(s, 0, 3 * n, "the number of edges");
+    expect(s, failed(s) || edges + 1 == locations || locations < 2,
+           "%lu edges on a line with %lu locations", (unsigned long)edges,
+           (unsigned long)locations);
+    for (uint32_t i = 0; i < edges && !failed(s); i++) {
+        uint32_t a = take_number(s, 0, n - 1, "the end of an edge");
+        uint32_t b = take_number(s, 0, n - 1, "the end of an edge");
+        for (uint32_t k = 0; k < n && !failed(s); k++)
+            expect(s, plane_dot(p[a], p[k], p[b]) >= 0 && !plane_same(p[a], p[b]),
+                   "the edge %lu-%lu passes over %lu", (unsigned long)a,
+                   (unsigned long)b, (unsigned long)k);
+    }
+    free(path);
+}
+
+static void
+sweep_triangulates(session *s, const site *p, uint32_t n)
+{
+    begin_case(s, 'c', p, n);
+    give_points(s);
+    give_direction(s);
+    if (!ask(s) || !take_ok(s))
+        return;
+    triangle_list list = take_triangles(s, n, 2 * n);
+    if (failed(s) || !expect_verdict(s, certify_triangulation(p, n, list)))
+        return;
+    if (cases_are_collinear(p, n))
+        take_path(s, p, n);
+}
+
+static void
+sweep_is_cheap(session *s, const site *p, uint32_t n)
+{
+    sweep_triangulates(s, p, n);
+    expect(s, asked(s, WIRE_ORIENT) <= 6 * (uint64_t)n,
+           "%llu orientation tests for %lu points; 6 n is %llu",
+           (unsigned long long)asked(s, WIRE_ORIENT), (unsigned long)n,
+           6 * (unsigned long long)n);
+}
+
+/* ---- 2.3-d: the hull. ---- */
+
+static void
+hull_is_right(session *s, const site *p, uint32_t n)
+{
+    uint32_t *vertex = room_for(n);
+    triangle_list list = mesh_at_random(trial_random(s), p, n, false);
+    keep_triangles(s, list);
+    begin_case(s, 'd', p, n);
+    give_points(s);
+    if (list.count > 0)
+        give_triangles(s, list);
+    else
+        give_path(s, vertex, path_of(p, n, vertex));
+    if (ask(s)) {
+        uint32_t count = take_number(s, 0, n, "the number of hull vertices");
+        for (uint32_t i = 0; i < count && !failed(s); i++)
+            vertex[i] = take_number(s, 0, n - 1, "a hull vertex");
+        take_end(s);
+        if (!failed(s))
+            expect_verdict(s, certify_hull(p, n, vertex, count));
+    }
+    free(vertex);
+}
+
+const property properties[] = {
+    {"2.3-a", "order", "The locations come in the order in which the line meets them",
+     "notes 2.3, line 1 of Figure 3", CASES_GENERAL | CASES_DEGENERATE, 60, 300, true,
+     order_is_right},
+    {"2.3-a", "comparisons", "There are at most 2 n ceil(log2 n) comparisons",
+     "page 2.3, what it costs", CASES_GENERAL | CASES_GRID | CASES_COLLINEAR, 300, 20, true,
+     order_is_cheap},
+    {"2.3-b", "sees", "p sees every hull edge of the chain",
+     "notes 2.3, line 4 of Figure 3; page 2.3, fig3.P2",
+     CASES_GENERAL | CASES_DEGENERATE | CASES_CONVEX, 30, 300, true,
+     what_is_listed_is_seen},
+    {"2.3-b", "chain", "The chain has every hull edge that p sees",
+     "notes 2.3, line 4 of Figure 3; page 2.3, fig3.P1 and fig3.P2",
+     CASES_GENERAL | CASES_DEGENERATE | CASES_CONVEX, 30, 300, true,
+     what_is_seen_is_listed},
+    {"2.3-c", "triangulation", "The result is a triangulation of the points",
+     "notes 2.3, Figure 3; Definition 4; page 2.3, fig3.P3", CASES_GENERAL | CASES_CONVEX,
+     60, 100, true, sweep_triangulates},
+    {"2.3-c", "degenerate",
+     "The result is a triangulation of the points when some coincide, or lie on a line or "
+     "circle",
+     "page 2.3, where it breaks", CASES_DEGENERATE, 40, 300, true, sweep_triangulates},
+    {"2.3-c", "tests", "There are at most 6 n orientation tests",
+     "page 2.3, what it costs", CASES_GENERAL | CASES_CONVEX | CASES_GRID, 300, 20, true,
+     sweep_is_cheap},
+    {"2.3-d", "hull", "The hull is listed counterclockwise, edge points included",
+     "notes 2.3, last paragraph", CASES_GENERAL | CASES_CONVEX, 30, 100, true,
+     hull_is_right},
+    {"2.3-d", "degenerate", "So it is when points coincide or lie on a line",
+     "page 2.3, where it breaks", CASES_DEGENERATE, 30, 200, true, hull_is_right},
+};
+const uint32_t property_count = sizeof properties / sizeof properties[0];
