@@ -120,6 +120,13 @@ $(BUILD)/compare/counts: $(patsubst %.c,$(BUILD)/posix-counted/%.o,tools/compare
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
+$(BUILD)/compare/times: $(patsubst %.c,$(BUILD)/posix/%.o,tools/compare/times.c $(COMPARE) \
+                          $(addprefix tools/bench/,measure.c certify.c stopwatch.c yardstick.c)) \
+                        $(BUILD)/libtri.a
+	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm

@@ -1,0 +1,241 @@
+/* files.c - which files a handout has, and what is taken out of them. */
+#include "tools/handout/handout.h"
+
+#include "tools/handout/basics.h"
+#include "tools/handout/rewrite.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Sections: those that are asked, and what they stand on. ---- */
+
+/* "2.3" of "chapters/2.3_line_sweep/sweep.h"; NULL if it is in no section. */
+static const char *
+section_of(const char *path)
+{
+    size_t begin = strlen("chapters/");
+    if (!begins_with(path, "chapters/"))
+        return NULL;
+    size_t length = strspn(path + begin, "0123456789.");
+    return length > 0 && path[begin + length] == '_' ? part_of(path + begin, length) : NULL;
+}
+
+static const char *
+next_include(const char **rest)
+{
+    static const char directive[] = "#include \"";
+    const char *at = strstr(*rest, directive);
+    if (at == NULL)
+        return NULL;
+    at += strlen(directive);
+    size_t length = strcspn(at, "\"");
+    *rest = at + length;
+    return part_of(at, length);
+}
+
+/* The sources of a section. Its figures are a program of its own, and left out. */
+static void
+collect_section(handout *h, const char *section)
+{
+    const char *folder = section_folder(h, section), *root = h->project.root;
+    if (folder == NULL)
+        refuse("there is no folder of section %s", section);
+    tree_copy_all(&h->tree, root, format("%s/*.h", folder), "", "");
+    tree_copy_all(&h->tree, root, format("%s/*.c", folder), "", "");
+    const char *figures = format("%s/figures.c", folder);
+    for (size_t i = 0; i < h->tree.files; i++)
+        if (strcmp(h->tree.file[i].path, figures) == 0)
+            h->tree.file[i] = h->tree.file[--h->tree.files];
+}
+
+/* Is the section none that a handout may have: later than all that are asked, and not
+ * the primitives on which the others stand? */
+static bool
+is_too_late(const handout *h, const char *section)
+{
+    if (strcmp(section, "3.4") == 0)
+        return false;
+    for (size_t i = 0; i < h->project.exercises; i++)
+        if (h->project.exercise[i].role == ROLE_ASKED &&
+            strcmp(h->project.exercise[i].section, section) >= 0)
+            return false;
+    return true;
+}
+
+/* A section comes into the tree when a file includes a header of it. */
+static void
+collect_included(handout *h)
+{
+    for (size_t i = 0; i < h->tree.files; i++) {
+        const char *rest = h->tree.file[i].bytes, *path = h->tree.file[i].path, *included;
+        while ((included = next_include(&rest)) != NULL) {
+            const char *section = section_of(included);
+            if (section == NULL || tree_find(&h->tree, included) != NULL)
+                continue;
+            if (is_too_late(h, section))
+                refuse("%s includes %s, of a section that comes later", path, included);
+            collect_section(h, section);
+        }
+    }
+}
+
+/* ---- The library: what is included, and what that consists of. ---- */
+
+/* Does the tree have every header of the library that this source includes? */
+static bool
+has_all_includes(const tree *t, const char *bytes)
+{
+    const char *included;
+    while ((included = next_include(&bytes)) != NULL)
+        if (begins_with(included, "lib/") && tree_find(t, included) == NULL)
+            return false;
+    return true;
+}
+
+/* A header brings the source of its name with it. A source without a header of its own
+ * comes when all its headers have come: it is a further part of one of them. */
+static void
+collect_library(handout *h)
+{
+    tree all = {0};
+    size_t before;
+    tree_copy_all(&all, h->project.root, "lib/*.[ch]", "", "");
+    do {
+        before = h->tree.files;
+        for (size_t i = 0; i < h->tree.files; i++) {
+            const char *rest = h->tree.file[i].bytes, *included;
+            while ((included = next_include(&rest)) != NULL)
+                if (begins_with(included, "lib/"))
+                    tree_copy(&h->tree, h->project.root, included, included);
+        }
+        for (size_t i = 0; i < all.files; i++) {
+            const char *path = all.file[i].path, *bytes = all.file[i].bytes;
+            const char *header = format("%.*s.h", (int)strlen(path) - 2, path);
+            if (tree_find(&all, header) != NULL ? tree_find(&h->tree, header) != NULL
+                                                : has_all_includes(&h->tree, bytes))
+                tree_copy(&h->tree, h->project.root, path, path);
+        }
+    } while (h->tree.files > before);
+}
+
+/* ---- The checks. ---- */
+
+/* In the tree the folder tools/checks is checks. */
+static void
+rename_includes(tree *t)
+{
+    for (size_t i = 0; i < t->files; i++) {
+        if (!begins_with(t->file[i].path, "checks/"))
+            continue;
+        const char *bytes = replace_all(t->file[i].bytes, "tools/checks/", "checks/");
+        tree_put(t, t->file[i].path, replace_all(bytes, "tools/handout/", "checks/"));
+    }
+}
+
+static void
+collect_checks(handout *h)
+{
+    const char *root = h->project.root;
+    tree_copy_all(&h->tree, root, "tools/checks/[a-z]*.[ch]", "tools/checks", "checks");
+    tree_copy_all(&h->tree, root, "tools/checks/student/[a-z]*.[ch]", "tools/checks",
+                  "checks");
+    tree_copy_all(&h->tree, root, "tools/checks/student/opaque/*/*.h", "tools/checks",
+                  "checks");
+    tree_copy_all(&h->tree, root, "tools/checks/student/opaque/*/*/*.h", "tools/checks",
+                  "checks");
+    tree_copy_all(&h->tree, root, "tools/handout/ustar.[ch]", "tools/handout", "checks");
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        const exercise *e = &h->project.exercise[i];
+        if (e->role != ROLE_ASKED)
+            continue;
+        tree_copy(&h->tree, root, format("tools/checks/%s.c", e->section),
+                  format("checks/%s.c", e->section));
+        tree_copy(&h->tree, root, format("tools/checks/student/%s.c", e->section),
+                  format("checks/student/%s.c", e->section));
+    }
+    /* It needs what the project has for its own tests; its result is in the tree. */
+    for (size_t i = 0; i < h->tree.files; i++)
+        if (strcmp(h->tree.file[i].path, "checks/signs.c") == 0)
+            h->tree.file[i] = h->tree.file[--h->tree.files];
+    rename_includes(&h->tree);
+}
+
+const char *
+handout_unchecked(const handout *h)
+{
+    const char *list = "", *last = "";
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        const exercise *e = &h->project.exercise[i];
+        if (e->role != ROLE_ASKED || strcmp(e->section, last) == 0)
+            continue;
+        last = e->section;
+        if (tree_find(&h->tree, format("checks/%s.c", last)) == NULL ||
+            tree_find(&h->tree, format("checks/student/%s.c", last)) == NULL)
+            list = format("%s%s%s", list, *list != '\0' ? " " : "", last);
+    }
+    return list;
+}
+
+/* ---- All of them. ---- */
+
+/* The sections that are in the tree; the notes' order is that of their names. */
+static const char *
+sections_of(const tree *t)
+{
+    const char *list = "";
+    for (size_t i = 0; i < t->files; i++) {
+        const char *section = section_of(t->file[i].path);
+        if (section != NULL && !has_word(list, section, strlen(section)))
+            list = format("%s%s%s", list, *list != '\0' ? " " : "", section);
+    }
+    return list;
+}
+
+void
+handout_collect(handout *h)
+{
+    for (size_t i = 0; i < h->project.exercises; i++)
+        if (h->project.exercise[i].role == ROLE_ASKED)
+            collect_section(h, h->project.exercise[i].section);
+    collect_included(h);
+    collect_checks(h);
+    collect_library(h);
+    tree_copy_all(&h->tree, h->project.root, "tools/handout/student/Makefile",
+                  "tools/handout/student/", "");
+    tree_copy_all(&h->tree, h->project.root, "tools/handout/student/*/*",
+                  "tools/handout/student/", "");
+    tree_copy(&h->tree, h->project.root, "docs/LICENSE", "docs/LICENSE");
+    tree_sort(&h->tree);
+    h->sections = sections_of(&h->tree);
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        exercise *e = &h->project.exercise[i];
+        if (!has_word(h->sections, e->section, strlen(e->section)))
+            e->role = ROLE_ABSENT;
+    }
+}
+
+void
+handout_take_out(handout *h)
+{
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        const exercise *e = &h->project.exercise[i];
+        if (e->role != ROLE_ASKED && e->role != ROLE_LATER)
+            continue;
+        const tree_file *f = tree_find(&h->tree, e->path);
+        if (f == NULL)
+            refuse("%s: there is no %s", e->id, e->path);
+        tree_put(&h->tree, e->path, with_todo(without_exercise(f->bytes, e)));
+    }
+}
+
+const char *
+handout_listed(const handout *h)
+{
+    const char *list = "";
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        const exercise *e = &h->project.exercise[i];
+        if (e->role == ROLE_ASKED && !has_word(list, e->path, strlen(e->path)))
+            list = format("%s%s%s", list, *list != '\0' ? " " : "", e->path);
+    }
+    return list;
+}

@@ -1,0 +1,61 @@
+#!/bin/sh
+# run.sh EXERCISE:PROGRAM... - checks the exercises and adds up the points.
+#
+# SEED, VARIANT and PROPERTY may be set. What is wrong stands in build/feedback/EXERCISE/: a
+# text and a picture for each property that fails. Exit status: 0 all is right; 1 not yet;
+# 2 the checker itself has failed.
+set -u
+
+if [ $# -eq 0 ]; then
+    echo "There is no such exercise here, or no check of it." >&2
+    exit 2
+fi
+
+status=0
+for pair in "$@"; do
+    exercise=${pair%%:*}
+    program=${pair#*:}
+    feedback=build/feedback/$exercise
+    rm -rf "$feedback"
+    mkdir -p "$feedback"
+    again="make check EX=$exercise SEED=$SEED"
+    set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again"
+    [ -n "$VARIANT" ] && set -- "$@" --variant "$VARIANT"
+    [ -n "$PROPERTY" ] && set -- "$@" --property "$PROPERTY"
+    [ -f "checks/$exercise.signs" ] && set -- "$@" --signs "checks/$exercise.signs"
+    echo "== $exercise"
+    "build/checker_${exercise%-*}" "$@" -- "$program"
+    case $? in
+    42) ;;
+    43) [ $status -eq 2 ] || status=1 ;;
+    *)  echo "The checker of $exercise has failed; this is not your fault." >&2
+        status=2 ;;
+    esac
+    echo
+    checked="${checked:-} $exercise"
+done
+
+# The points, by property: assignment.ini says how many, properties.tsv which are earned.
+for exercise in $checked; do
+    awk -v exercise="$exercise" '
+    FILENAME == "assignment.ini" && /^\[/ { here = $0 == "[" exercise "]"; next }
+    FILENAME == "assignment.ini" && here && $1 == "points" {
+        for (i = 3; i <= NF; i++) {
+            split($i, part, ":")
+            name[++count] = part[1]
+            points[count] = part[2]
+        }
+    }
+    FILENAME == "assignment.ini" { next }
+    { split($0, cell, "\t"); result[cell[1]] = cell[2] }
+    END {
+        for (i = 1; i <= count; i++) {
+            earned = result[name[i]] == "pass" ? points[i] : 0
+            sum += earned
+            all += points[i]
+            line = line "  " name[i] " " earned "/" points[i]
+        }
+        printf "%-6s %2d of %2d points:%s\n", exercise, sum, all, line
+    }' assignment.ini "build/feedback/$exercise/properties.tsv"
+done
+exit $status
