@@ -29,8 +29,9 @@ point2 *case_points(uint32_t *n);
 uint32_t *case_numbers(uint32_t *n);
 
 /* A number t, then three corners for each of t triangles; and the mesh of them. For
- * t = 0 a path follows: its length, and its vertices. */
-void case_mesh(uint32_t n, mesh *m);
+ * t = 0 a path follows: its length, and its vertices. Returns the number of sides: half-edge
+ * e of the mesh is side e of the case. */
+uint32_t case_mesh(uint32_t n, mesh *m);
 
 /* ---- The answer. ---- */
 
