@@ -8,7 +8,8 @@
  * and 4 are the checker's questions and answers) and nothing else: it cannot open,
  * create or execute a file, see another process, or make another system call than
  * those in filter.c. `compile` is for a compiler, linker or unpacker: it can read the
- * system's programs, libraries and headers and each PATH, and write below FOLDER.
+ * system's programs, libraries and headers and each PATH, and write below FOLDER. (That
+ * some other file exists it can find out, but not what is in it.)
  *
  * The jail ends as the program did: with its exit status, or by its signal; by SIGXCPU
  * when its time was over; with status 125 when the jail itself could not be made.
@@ -21,6 +22,7 @@
  *     --file N           compile: megabytes that a file may have (64)
  *     --require-sandbox  no run without seccomp, no compilation that could read what
  *                        it should not (without Landlock and not as root)
+ *     --without LAYER    leaves a layer out, to see what the others hold
  *
  * `--layers` prints a line for each layer, on or off; its status is 0 if seccomp is on.
  */
@@ -60,9 +62,10 @@ enum { FAULT = 125, MOST_OPENINGS = 40 };
 typedef struct jail {
     bool compile; /* compile, not run */
     const char *report;
-    unsigned wall_seconds;
+    double wall_seconds;
     limits most;
     bool required;
+    int layers;                  /* that are wanted */
     opening open[MOST_OPENINGS]; /* for compile */
     size_t openings;
     const char *output;          /* for compile: the folder to write to */
@@ -79,6 +82,15 @@ fault(const char *what)
         fprintf(stderr, "jail: %s\n", what);
     exit(FAULT);
 }
+
+static const struct {
+    int bit;
+    const char *name;
+} layers[] = {
+    {LAYER_USER, "user"}, {LAYER_LANDLOCK, "landlock"}, {LAYER_LIMITS, "limits"},
+    {LAYER_SECCOMP, "seccomp"},
+};
+enum { LAYERS = sizeof layers / sizeof layers[0] };
 
 /* ---- What was asked for. ---- */
 
@@ -97,6 +109,28 @@ allow(jail *j, const char *path, bool write)
     if (j->openings == MOST_OPENINGS)
         fault("too many -r");
     j->open[j->openings++] = (opening){path, write};
+}
+
+/* Seconds, perhaps with a fraction. */
+static double
+seconds(const char *text)
+{
+    char *end;
+    double value = strtod(text, &end);
+    errno = 0;
+    if (text[0] < '0' || text[0] > '9' || *end != '\0' || !(value <= 100000))
+        fault("a number of seconds is needed after an option");
+    return value;
+}
+
+static int
+bit_of_layer(const char *name)
+{
+    errno = 0;
+    for (size_t i = 0; i < LAYERS; i++)
+        if (strcmp(name, layers[i].name) == 0)
+            return layers[i].bit;
+    fault("the layers are user, landlock, limits and seccomp");
 }
 
 static unsigned
@@ -129,9 +163,11 @@ read_option(jail *j, char **argv)
     else if (strcmp(name, "--cpu") == 0)
         j->most.cpu_seconds = whole(value);
     else if (strcmp(name, "--wall") == 0)
-        j->wall_seconds = whole(value);
+        j->wall_seconds = seconds(value);
     else if (strcmp(name, "--memory") == 0)
         j->most.megabytes = whole(value);
+    else if (strcmp(name, "--without") == 0)
+        j->layers &= ~bit_of_layer(value);
     else if (j->compile && strcmp(name, "--file") == 0)
         j->most.file_megabytes = whole(value);
     else if (j->compile && strcmp(name, "-r") == 0)
@@ -146,7 +182,7 @@ read_option(jail *j, char **argv)
 static jail
 read_arguments(char **argv)
 {
-    jail j = {.wall_seconds = 60, .binary = -1};
+    jail j = {.wall_seconds = 60, .layers = ~0, .binary = -1};
     j.compile = strcmp(argv[1], "compile") == 0;
     if (j.compile) {
         j.most = (limits){.cpu_seconds = 30, .megabytes = 2048, .file_megabytes = 64,
@@ -175,7 +211,7 @@ enum { BINARY = 5, TELL = 6 }; /* descriptors, closed when the program begins */
 
 /* What the process has to say to the jail outside, until it is the program. */
 typedef struct message {
-    int layers;
+    int layers;    /* that are on */
     int error;     /* errno, if it could not become the program */
     char what[60]; /* and at what it failed */
 } message;
@@ -285,15 +321,15 @@ inside(const jail *j, pid_t outside, int tell)
     setsid();
     close_from(TELL + 1);
     reset_signals();
-    if (confine_user())
+    if ((j->layers & LAYER_USER) && confine_user())
         m.layers |= LAYER_USER;
     if (!arranged || !die_with(outside) || !confine_privileges())
         tell_fault(m, "preparing");
-    if (confine_landlock(j->open, j->openings))
+    if ((j->layers & LAYER_LANDLOCK) && confine_landlock(j->open, j->openings))
         m.layers |= LAYER_LANDLOCK;
-    if (confine_limits(j->most))
+    if ((j->layers & LAYER_LIMITS) && confine_limits(j->most))
         m.layers |= LAYER_LIMITS;
-    if (!j->compile && confine_seccomp(BINARY, getpid()))
+    if ((j->layers & LAYER_SECCOMP) && !j->compile && confine_seccomp(BINARY, getpid()))
         m.layers |= LAYER_SECCOMP;
 
     errno = 0;
@@ -339,7 +375,8 @@ typedef struct ending {
     int stopped;        /* a signal that the jail got */
     struct rusage used;
     long wall_ms;
-    message said;       /* the last it said before it was the program */
+    bool said_anything; /* before it was the program */
+    message said;       /* and the last of it */
 } ending;
 
 static long
@@ -366,10 +403,10 @@ awaited(void)
 
 /* Waits for the end of the child, at most until its time is over. */
 static void
-supervise(pid_t child, unsigned seconds, ending *e)
+supervise(pid_t child, double most, ending *e)
 {
     const sigset_t set = awaited();
-    long began = milliseconds(), end = began + 1000L * seconds;
+    long began = milliseconds(), end = began + (long)(1000 * most);
     while (wait4(child, &e->status, WNOHANG, &e->used) == 0) {
         long left = end - milliseconds();
         e->late = left <= 0;
@@ -416,7 +453,7 @@ run(const jail *j)
     }
     message m;
     while (read(tell[0], &m, sizeof m) == sizeof m)
-        e.said = m;
+        e.said = m, e.said_anything = true;
     supervise(child, j->wall_seconds, &e);
     /* The second limit of time kills without a word. */
     bool killed = WIFSIGNALED(e.status) && WTERMSIG(e.status) == SIGKILL;
@@ -427,19 +464,10 @@ run(const jail *j)
     return e;
 }
 
-static const struct {
-    int bit;
-    const char *name;
-} layers[] = {
-    {LAYER_USER, "user"}, {LAYER_LANDLOCK, "landlock"}, {LAYER_LIMITS, "limits"},
-    {LAYER_SECCOMP, "seccomp"},
-};
-enum { LAYERS = sizeof layers / sizeof layers[0] };
-
 static bool
 is_fault(const ending *e)
 {
-    return e->said.what[0] != '\0' || e->said.layers == 0;
+    return e->said.what[0] != '\0' || !e->said_anything;
 }
 
 static void
