@@ -33,19 +33,27 @@ next_include(const char **rest)
     return part_of(at, length);
 }
 
-/* The sources of a section. Its figures are a program of its own, and left out. */
+/* Not in a handout: the program that draws the figures, and whatever solves the same
+ * as the exercises, faster. */
+static bool
+is_left_out(const char *path)
+{
+    const char *name = strrchr(path, '/');
+    return name != NULL && (strcmp(name, "/figures.c") == 0 || begins_with(name, "/fast_"));
+}
+
 static void
 collect_section(handout *h, const char *section)
 {
     const char *folder = section_folder(h, section), *root = h->project.root;
+    tree all = {0};
     if (folder == NULL)
         refuse("there is no folder of section %s", section);
-    tree_copy_all(&h->tree, root, format("%s/*.h", folder), "", "");
-    tree_copy_all(&h->tree, root, format("%s/*.c", folder), "", "");
-    const char *figures = format("%s/figures.c", folder);
-    for (size_t i = 0; i < h->tree.files; i++)
-        if (strcmp(h->tree.file[i].path, figures) == 0)
-            h->tree.file[i] = h->tree.file[--h->tree.files];
+    tree_copy_all(&all, root, format("%s/*.h", folder), "", "");
+    tree_copy_all(&all, root, format("%s/*.c", folder), "", "");
+    for (size_t i = 0; i < all.files; i++)
+        if (!is_left_out(all.file[i].path))
+            tree_put(&h->tree, all.file[i].path, all.file[i].bytes);
 }
 
 /* Is the section none that a handout may have: later than all that are asked, and not

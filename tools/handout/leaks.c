@@ -8,8 +8,7 @@
 #include <ctype.h>
 #include <string.h>
 
-/* The lines of a text that say something: with a letter in them and 12 or more
- * characters, each blank taken out. A comment's frame does not count. */
+/* The lines of a text that say something of how an exercise is solved. */
 typedef struct lines {
     const char **line;
     size_t *number; /* in the file, from 1 */
@@ -31,13 +30,20 @@ squeezed(const char *line, size_t length)
     return text;
 }
 
+/* Fifteen characters, some of them letters; and what to do when memory is out is the same
+ * in all functions. */
 static bool
-is_substantial(const char *squeezed_line)
+is_substantial(const char *line)
 {
+    static const char *const everywhere[] = {"TRI_OUT_OF_MEMORY", "TRI_OK)", "==NULL)",
+                                             "memory_free("};
     size_t letters = 0;
-    for (const char *c = squeezed_line; *c != '\0'; c++)
+    for (size_t k = 0; k < sizeof everywhere / sizeof *everywhere; k++)
+        if (strstr(line, everywhere[k]) != NULL)
+            return false;
+    for (const char *c = line; *c != '\0'; c++)
         letters += isalpha((unsigned char)*c) != 0;
-    return strlen(squeezed_line) >= 12 && letters >= 4;
+    return strlen(line) >= 15 && letters >= 4;
 }
 
 static lines
@@ -79,28 +85,62 @@ three_in_common(const lines *secret, const lines *open, size_t *at)
     return false;
 }
 
-/* The file without the code of given exercises that may share lines with e. */
+/* ---- Lines that may be shared: exercises.ini, overlap. ---- */
+
+/* The functions with which the exercise may have lines in common. */
 static const char *
-without_overlap(const handout *h, const exercise *e, const tree_file *f)
+overlapping(const handout *h, const exercise *e)
 {
-    const char *rest = exercise_key(&h->project, e, "overlap"), *id, *text = f->bytes;
-    while ((id = next_word(&rest)) != NULL) {
-        const exercise *other = project_find(&h->project, id);
+    const char *rest = exercise_key(&h->project, e, "overlap"), *word, *list = "";
+    while ((word = next_word(&rest)) != NULL) {
+        const exercise *other = project_find(&h->project, word);
         if (other == NULL)
-            refuse("exercises.ini: %s overlaps %s, which does not exist", e->id, id);
-        if (other->role == ROLE_GIVEN && strcmp(other->path, f->path) == 0)
-            text = without_exercise(text, other);
+            list = format("%s %s", list, word);
+        else if (other->role == ROLE_GIVEN)
+            list = format("%s %s %s", list, other->functions, other->helpers);
     }
-    return text;
+    return list;
 }
+
+/* A page without its quotes of these functions. */
+static const char *
+without_quotes(const char *page, const char *functions)
+{
+    const char *text = "", *at = page, *quote, *end, *name;
+    while ((quote = strstr(at, "<!-- code: ")) != NULL &&
+           (end = strstr(quote, "\n```\n")) != NULL) {
+        name = quote + strlen("<!-- code: ");
+        name += strcspn(name, " ");
+        name += strspn(name, " ");
+        bool shared = has_word(functions, name, strcspn(name, " "));
+        text = format("%s%.*s", text, (int)((shared ? quote : end) - at), at);
+        at = end;
+    }
+    return format("%s%s", text, at);
+}
+
+static const char *
+without_overlap(const tree_file *f, const char *functions)
+{
+    const exercise shared = {.id = "", .path = f->path, .functions = functions,
+                             .helpers = ""};
+    if (*functions != '\0' && ends_with(f->path, ".md"))
+        return without_quotes(f->bytes, functions);
+    if (*functions != '\0' && ends_with(f->path, ".c"))
+        return without_exercise(f->bytes, &shared);
+    return f->bytes;
+}
+
+/* ---- The proof. ---- */
 
 static void
 prove_part(const handout *h, const exercise *e, const char *part, size_t length)
 {
     lines secret = substantial_lines(part, length);
+    const char *shared = overlapping(h, e);
     for (size_t i = 0; i < h->tree.files; i++) {
         const tree_file *f = &h->tree.file[i];
-        const char *text = without_overlap(h, e, f);
+        const char *text = without_overlap(f, shared);
         lines open = substantial_lines(text, strlen(text));
         size_t at;
         if (three_in_common(&secret, &open, &at))

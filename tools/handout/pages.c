@@ -163,15 +163,15 @@ list_of_exercises(const handout *h)
         int points = exercise_points(&h->project, e);
         bool bonus = strcmp(exercise_key(&h->project, e, "bonus"), "yes") == 0;
         sum += bonus ? 0 : points;
-        int stars = atoi(exercise_key(&h->project, e, "stars"));
-        list = format("%s| **%s** | %s: `%s` | %d%s | %.*s | %s | %s |\n", list, e->id,
+        list = format("%s| **%s** | %s: `%s` | %d%s | %s | %s | %s |\n", list, e->id,
                       exercise_key(&h->project, e, "title"),
                       replace_all(e->functions + strspn(e->functions, " "), " ", "`, `"),
-                      points, bonus ? " (bonus)" : "", stars, "*****",
+                      points, bonus ? " (bonus)" : "",
+                      exercise_key(&h->project, e, "stars"),
                       exercise_key(&h->project, e, "hours"),
                       exercise_key(&h->project, e, "needs"));
     }
-    return format("%s\n%d points in all.", replace_all(list, "*", "\\*"), sum);
+    return format("%s\n%d points in all.", list, sum);
 }
 
 static const char *
