@@ -4,7 +4,7 @@
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := all
-.PHONY: all help demo test test-long check weave figures book bench mutants asan \
+.PHONY: all help demo test test-long check weave figures book bench compare mutants asan \
         install uninstall clean
 
 # Two commands at a time (JOBS=4: four), each said in a word (V=1: shown in full).
@@ -153,6 +153,8 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
     $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(TOOLS:%=$(BUILD)/%)
 
+$(BUILD)/test/3.7_comparison: | $(BUILD)/compare/counts
+
 # ---- What people run. ----
 
 demo: $(BUILD)/tri $(BUILD)/counted/tri ## triangulate, certify and draw the shipped real points
@@ -164,17 +166,18 @@ test: all ## every test, in under two minutes on two cores
 test-long: all ## the same with more trials, compilers and flags; then fuzzing
 	tests/run_long.sh $(BUILD) $(TESTS)
 
-check: $(BUILD)/libtri.a $(BUILD)/weave $(BUILD)/deps ## all that can be checked without geometry
+check: $(BUILD)/libtri.a $(BUILD)/weave $(BUILD)/deps $(BUILD)/tri ## all that can be checked without geometry
 	+tools/check.sh $(BUILD)
 
-weave: $(BUILD)/weave ## refresh the code quoted in the pages
+weave: $(BUILD)/weave $(BUILD)/tri ## refresh the code and the steps quoted in the pages
 	$(BUILD)/weave
+	tools/book/say.sh $(BUILD)
 
 figures: $(FIGURES:%=$(BUILD)/figures/%) ## draw every figure of the pages again
 	@for f in $(FIGURES); do mkdir -p "chapters/$$f/figures" && \
 	  $(BUILD)/figures/$$f "chapters/$$f/figures" || exit 1; done
 
-book: $(BUILD)/weave ## the pages as a static HTML book in build/book/ (needs pandoc)
+book: $(BUILD)/weave $(BUILD)/tri ## the pages as a static HTML book in build/book/ (needs pandoc)
 	tools/book.sh $(BUILD)
 
 bench: $(BUILD)/bench/bench $(BUILD)/tri ## times relative to sorting the same points
@@ -184,6 +187,9 @@ bench: $(BUILD)/bench/bench $(BUILD)/tri ## times relative to sorting the same p
 	else echo "std::sort is not measured: there is no g++"; fi
 	$(BUILD)/bench/bench -o $(BUILD)/bench
 	tools/bench/programs.sh $(BUILD)
+
+compare: $(BUILD)/compare/counts $(BUILD)/compare/times ## section 3.7's comparison, again: counts, then times
+	tools/compare/compare.sh $(BUILD)
 
 mutants: ## plant bugs one by one; each must be caught by a named statement
 	tests/mutants/run.sh

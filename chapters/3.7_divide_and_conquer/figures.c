@@ -7,6 +7,7 @@
 #include "chapters/figures.h"
 #include "lib/random.h"
 #include "lib/svg.h"
+#include "lib/svg_chart.h"
 
 /* ---- The last merge, step by step. ---- */
 
@@ -287,11 +288,45 @@ draw_cuts(FILE *file)
     svg_end(&page);
 }
 
+/* ---- The comparison: curves of a table that `make compare` counts. ---- */
+
+static void
+draw_counts(FILE *file, const char *column, const char *title, const char *description,
+            const char *caption)
+{
+    static const char path[] = "chapters/3.7_divide_and_conquer/comparison.csv";
+    chart c;
+    FILE *table = fopen(path, "r");
+    must(table != NULL ? TRI_OK : TRI_CANNOT_READ, path);
+    must(chart_read(table, column, true, &c), path);
+    fclose(table);
+    svg_charts(file, &c, title, description, caption);
+    chart_free(&c);
+}
+
+static void
+draw_compared_orient2d(FILE *file)
+{
+    draw_counts(file, "orient2d", "Orientation tests, compared",
+                "For six distributions, the orientation tests a point that each "
+                "algorithm asks, over the number of points.", "orientation tests a point");
+}
+
+static void
+draw_compared_incircle(FILE *file)
+{
+    draw_counts(file, "incircle", "Incircle tests, compared",
+                "For six distributions, the incircle tests a point that each algorithm "
+                "asks, over the number of points.", "incircle tests a point");
+}
+
 static const figure figures[] = {
     {"merge_steps", draw_steps},
     {"spike", draw_spike},
     {"e52_triangle_goes", draw_e52},
     {"cuts", draw_cuts},
+    {"compared_orient2d", draw_compared_orient2d},
+    {"compared_incircle", draw_compared_incircle},
 };
 
 int
