@@ -13,11 +13,11 @@ void see_start(tracer *w, vertex_id a, vertex_id b);
 void see_attach(tracer *w, const mesh *m, vertex_id p);
 
 /* 3.5 and 3.6, the stack: see_stack.c */
-void see_push(tracer *w, vertex_id a, vertex_id b);
+void see_push(tracer *w, const mesh *m, halfedge_id ab);
 void write_pushes(tracer *w);
 void see_pop(tracer *w, const mesh *m, halfedge_id e);
 void write_keep(tracer *w);
-void see_flip(tracer *w, vertex_id c, vertex_id d);
+void see_flip(tracer *w, const mesh *m, halfedge_id dc);
 
 /* 3.6, the place of a point: see_place.c */
 void see_visit(tracer *w, const mesh *m, halfedge_id e);

@@ -3,14 +3,25 @@
 
 /* ---- On the stack. ---- */
 
-void
-see_push(tracer *w, vertex_id a, vertex_id b)
+static void
+set_entry(tracer *w, halfedge_id e, uint32_t entry)
 {
+    while (w->entry.count <= e)
+        id_list_add(&w->entry, NONE);
+    w->entry.id[e] = entry;
+}
+
+void
+see_push(tracer *w, const mesh *m, halfedge_id ab)
+{
+    vertex_id a = mesh_origin(m, ab), b = mesh_dest(m, ab);
     w->pending = MORE_PUSHES;
-    if (a == GHOST || b == GHOST)
+    if (a == GHOST || b == GHOST) {
         id_list_add(&w->rays, a == GHOST ? b : a);
-    else
-        id_list_add_edge(&w->step.field[PUSH], a, b);
+        return;
+    }
+    id_list_add_edge(&w->step.field[PUSH], a, b);
+    set_entry(w, ab, w->on_stack++);
 }
 
 void
@@ -71,6 +82,8 @@ see_pop(tracer *w, const mesh *m, halfedge_id e)
         say_edge(s, q.a, q.b);
         say(s, "?");
     } else {
+        set_entry(w, e, NONE);
+        w->on_stack--;
         id_list_add_edge(&s->field[POP], q.a, q.b);
         say(s, "pop ");
         say_edge(s, q.a, q.b);
@@ -106,12 +119,37 @@ write_keep(tracer *w)
     step_end(s, STEP_KEEP);
 }
 
-/* The edge that was popped has been flipped: ab became cd. What was a ray leads to the
- * next vertex of the hull now. */
-void
-see_flip(tracer *w, vertex_id c, vertex_id d)
+/* The stack holds half-edges. All of the two triangles have turned, by one place. */
+static void
+turn_entries(tracer *w, const mesh *m, halfedge_id dc)
 {
     step *s = &w->step;
+    halfedge_id cd = mesh_twin(m, dc);
+    const halfedge_id turned[] = {dc, mesh_next(dc), mesh_prev(dc),
+                                  cd, mesh_next(cd), mesh_prev(cd)};
+    uint32_t count = 0;
+    for (int i = 0; i < 6; i++) {
+        if (turned[i] >= w->entry.count || w->entry.id[turned[i]] == NONE)
+            continue;
+        id_list_add(&s->field[TURNED], w->entry.id[turned[i]]);
+        id_list_add_edge(&s->field[TURNED], mesh_origin(m, turned[i]),
+                         mesh_dest(m, turned[i]));
+        count++;
+    }
+    if (count > 0) {
+        say(s, "; with it turn%s ", count == 1 ? "s" : "");
+        say_count(s, count, "edge");
+        say(s, " on the stack");
+    }
+}
+
+/* The edge that was popped has been flipped to dc. What was a ray leads to the next
+ * vertex of the hull now. */
+void
+see_flip(tracer *w, const mesh *m, halfedge_id dc)
+{
+    step *s = &w->step;
+    vertex_id c = mesh_dest(m, dc), d = mesh_origin(m, dc);
     const tracer_question q = w->asked;
     w->pending = NOTHING;
     w->flipped = true;
@@ -134,5 +172,6 @@ see_flip(tracer *w, vertex_id c, vertex_id d)
     } else {
         say_where(w, q.circle, q.p);
     }
+    turn_entries(w, m, dc);
     step_end(s, STEP_FLIP);
 }

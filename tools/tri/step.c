@@ -122,9 +122,9 @@ static const struct {
     uint32_t group;
 } form[STEP_FIELDS] = {
     [REMOVE] = {"remove", 2}, [ADD] = {"add", 2}, [PUSH] = {"push", 2}, [POP] = {"pop", 2},
-    [INSERT] = {"insert", 1}, [EDGES] = {"edges", 2}, [CIRCLE] = {"circle", 1},
-    [TRIANGLE] = {"triangle", 1}, [POINT] = {"point", 0}, [VISITS] = {"visits", 3},
-    [MOVES] = {"moves", 4},
+    [TURNED] = {"turned", 3}, [INSERT] = {"insert", 1}, [EDGES] = {"edges", 2},
+    [CIRCLE] = {"circle", 1}, [TRIANGLE] = {"triangle", 1}, [POINT] = {"point", 0},
+    [VISITS] = {"visits", 3}, [MOVES] = {"moves", 4},
 };
 
 static void

@@ -16,6 +16,7 @@ typedef enum step_field {
     ADD,      /* edges that appear */
     PUSH,     /* edges put on the stack, the last one on top */
     POP,      /* the edge taken from it */
+    TURNED,   /* groups of three: an entry of the stack, and the edge that it is now */
     INSERT,   /* points that become vertices */
     EDGES,    /* edges to be shown */
     CIRCLE,   /* the circle through three points, to be shown */

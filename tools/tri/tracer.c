@@ -101,7 +101,7 @@ static void
 see_any_flip(tracer *w, const mesh *m, const trace_event *event)
 {
     if (!w->merging)
-        see_flip(w, event->c, event->d);
+        see_flip(w, m, event->edge);
     else if (event->d == GHOST)
         see_drop(w, event->a, event->b, event->c);
     else
@@ -121,7 +121,7 @@ see(trace *self, const mesh *m, const trace_event *event)
     case TRACE_ATTACH: see_attach(w, m, event->a); break;
     case TRACE_POP: see_pop(w, m, event->edge); break;
     case TRACE_FLIP: see_any_flip(w, m, event); break;
-    case TRACE_PUSH: see_push(w, event->a, event->b); break;
+    case TRACE_PUSH: see_push(w, m, event->edge); break;
     case TRACE_BRIDGE: see_bridge(w, event->a, event->b); break;
     case TRACE_VISIT: see_visit(w, m, event->edge); break;
     case TRACE_LOCATE: see_locate(w, m, event->edge, event->a); break;
@@ -147,6 +147,7 @@ tracer_end(tracer *w)
     if (w->merging)
         write_top(w);
     step_free(&w->step);
+    id_list_free(&w->entry);
     id_list_free(&w->rays);
     id_list_free(&w->walk);
 }

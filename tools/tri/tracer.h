@@ -27,6 +27,8 @@ typedef struct tracer {
     tracer_pending pending;
     tracer_question asked; /* about the edge that was popped last */
     bool flipped;          /* has an edge been flipped since a point came? */
+    uint32_t on_stack;     /* how many edges, those to infinity not counted */
+    id_list entry;         /* half-edge -> its place on the stack, or NONE */
     id_list rays;          /* in a push: where the edges to infinity begin */
     id_list walk;          /* triangles that a walk has visited, as in VISITS */
     uint32_t arrows;       /* of the history, which a search has followed */

@@ -50,7 +50,8 @@ run(const algorithm *a, const point2 *points, uint32_t n, tri_options options,
     double begin = now();
     *w = (watcher){.base = {see}, .terminal = isatty(STDERR_FILENO) == 1};
     w->next_line = begin + 1;
-    options.trace = &w->base;
+    if (a->steps != NULL) /* else it reports nothing, or would take another way */
+        options.trace = &w->base;
     tri_status status = a->triangulate(points, n, &options, m);
     if (w->terminal && w->next_line > begin + 1)
         fputc('\n', stderr);
