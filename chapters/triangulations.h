@@ -25,6 +25,7 @@ extern "C" {
 #include "chapters/3.6_randomized_incremental/bucket_grid.h"
 #include "chapters/3.6_randomized_incremental/incremental.h"
 #include "chapters/3.7_divide_and_conquer/divide.h"
+#include "chapters/3.7_divide_and_conquer/fast_divide.h"
 #include "chapters/contents.h"
 #include "lib/mesh.h"
 #include "lib/options.h"

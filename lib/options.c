@@ -7,7 +7,7 @@ tri_options
 tri_options_default(void)
 {
     tri_options defaults = {.size = sizeof defaults, .direction = {1, 0},
-                            .locator = TRI_LOCATOR_BUCKETS};
+                            .locator = TRI_LOCATOR_BUCKETS, .threads = 1};
     return defaults;
 }
 
@@ -39,6 +39,8 @@ tri_accept(const point2 *points, uint32_t n, const tri_options *given,
         return TRI_BAD_OPTION;
     if (used->locator != TRI_LOCATOR_WALK && used->locator != TRI_LOCATOR_BUCKETS &&
         used->locator != TRI_LOCATOR_HISTORY && used->locator != TRI_LOCATOR_GRID)
+        return TRI_BAD_OPTION;
+    if (used->threads == 0)
         return TRI_BAD_OPTION;
     if (!arithmetic_is_ieee())
         return TRI_BAD_FP_ENVIRONMENT;

@@ -43,6 +43,7 @@ typedef struct tri_options {
     const vertex_id *order; /* 3.6: each index once; default NULL, at random */
     uint64_t seed;          /* 3.6: names the random order; default 0 */
     tri_locator locator;    /* 3.6; default TRI_LOCATOR_BUCKETS */
+    uint32_t threads;       /* 3.7, faster: how many work at once; default 1 */
 } tri_options;
 
 /* The defaults, with their size filled in. */
@@ -52,7 +53,7 @@ tri_options tri_options_default(void);
  *
  *   TRI_OK                  yes; *used holds the options to use
  *   TRI_BAD_OPTION          another version's size, a direction that is zero or not finite,
- *                           cuts or a locator that are none of the above
+ *                           cuts or a locator that are none of the above, no thread
  *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
  *   TRI_NOT_FINITE          some coordinate is NaN or infinite
  *

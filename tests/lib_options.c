@@ -65,6 +65,9 @@ bad_options_are_refused(void)
         expect(TRI_BAD_OPTION, NULL, 0, &options);
     }
     options = tri_options_default();
+    options.threads = 0;
+    expect(TRI_BAD_OPTION, NULL, 0, &options);
+    options = tri_options_default();
     options.size--;
     expect(TRI_BAD_OPTION, NULL, 0, &options);
     options.size += 2;
