@@ -3,7 +3,7 @@
 #include "tools/checks/complexes.h"
 #include "tools/checks/meshes.h"
 
-#include <stdlib.h>
+#include <stdio.h>
 
 /* ---- Giving and taking simplices. ---- */
 
@@ -141,9 +141,19 @@ draw_complex(session *s, const site *p, uint32_t n, face_list *list)
         faces_close(list, &(face){.dimension = 0, .vertex = {v}});
 }
 
-/* Spoils the complex in some way; false when this way does not work here. */
-static bool
-spoil(session *s, const site *p, uint32_t n, face_list *list)
+/* What is wrong with the list; NULL when it is a complex. */
+static const char *
+fault_in(const site *p, uint32_t n, const face_list *list)
+{
+    bool marked[64];
+    for (int v = 0; v < 64; v++)
+        marked[v] = true;
+    return faces_fault(p, n, list, marked);
+}
+
+/* Spoils the complex in some way, which may not work here. */
+static void
+spoil(session *s, uint32_t n, face_list *list)
 {
     uint32_t some = draw(s, list->count);
     face f = {.dimension = -1};
@@ -164,32 +174,52 @@ spoil(session *s, const site *p, uint32_t n, face_list *list)
         faces_close(list, &f);
         break;
     }
-    bool marked[64];
-    for (int v = 0; v < 64; v++)
-        marked[v] = true;
-    return faces_show_fault(p, n, list, marked);
 }
 
-/* Asks about the list; true when the answer is the expected one. */
-static bool
-ask_complex(session *s, const site *p, uint32_t n, const face_list *list, bool holds)
+/* As a text, as far as there is room: 0-1-2 0-1 0 ... */
+static void
+describe(const face_list *list, char *text, size_t room)
 {
+    size_t at = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; i < list->count && at + 50 < room; i++) {
+        const face *f = &list->item[i];
+        for (int k = 0; k <= f->dimension; k++)
+            at += (size_t)snprintf(text + at, room - at, "%s%lu",
+                                   k > 0   ? "-"
+                                   : i > 0 ? " "
+                                           : "",
+                                   (unsigned long)f->vertex[k]);
+        if (at + 50 >= room)
+            snprintf(text + at, room - at, " ...");
+    }
+}
+
+/* Asks about the list; true when the answer is right. */
+static bool
+ask_complex(session *s, const site *p, uint32_t n, const face_list *list)
+{
+    char text[200];
     begin_case(s, 'b', p, n);
     give_points(s);
     give_faces(s, list);
     if (!ask(s))
         return false;
+    describe(list, text, sizeof text);
+    const char *fault = fault_in(p, n, list);
     bool says = take_number(s, 0, 1, "the verdict") == 1;
-    return expect(s, failed(s) || says == holds,
-                  holds ? "a simplicial complex of %lu simplices is refuted"
-                        : "a list of %lu simplices that is no complex is accepted",
-                  (unsigned long)list->count);
+    if (fault == NULL)
+        expect(s, says, "the list %s is a complex, and is refuted", text);
+    else
+        expect(s, !says, "%s in the list %s, and it is accepted", fault, text);
+    return !failed(s);
 }
 
 /* The witness has to show what is wrong. */
 static void
 check_witness(session *s, const site *p, uint32_t n, const face_list *list)
 {
+    char text[200];
     bool marked[64] = {false};
     uint32_t witnesses = take_number(s, 0, 4, "the number of witnesses");
     for (uint32_t i = 0; i < witnesses; i++) {
@@ -199,9 +229,10 @@ check_witness(session *s, const site *p, uint32_t n, const face_list *list)
             show_witness(s, v);
         }
     }
-    expect(s, failed(s) || faces_show_fault(p, n, list, marked),
-           "the list is no complex, but the %lu witnesses do not show why",
-           (unsigned long)witnesses);
+    describe(list, text, sizeof text);
+    expect(s, failed(s) || faces_fault(p, n, list, marked) != NULL,
+           "%s in the list %s, but the %lu witnesses do not show it",
+           fault_in(p, n, list), text, (unsigned long)witnesses);
 }
 
 /* First the complex, which is to be accepted, then the spoilt one. */
@@ -211,10 +242,10 @@ check_complex(session *s, const site *p, uint32_t n, bool witness)
     static face_list list;
     draw_complex(s, p, n, &list);
     if (list.count == 0 || list.count + 8 > MOST_SIMPLICES ||
-        !ask_complex(s, p, n, &list, true) || !spoil(s, p, n, &list) ||
-        !ask_complex(s, p, n, &list, false))
+        !ask_complex(s, p, n, &list))
         return;
-    if (witness)
+    spoil(s, n, &list);
+    if (ask_complex(s, p, n, &list) && witness && fault_in(p, n, &list) != NULL)
         check_witness(s, p, n, &list);
 }
 
@@ -224,7 +255,7 @@ complexes_are_accepted(session *s, const site *p, uint32_t n)
 {
     static face_list list;
     draw_complex(s, p, n, &list);
-    if (list.count == 0 || !ask_complex(s, p, n, &list, true))
+    if (list.count == 0 || !ask_complex(s, p, n, &list))
         return;
     for (uint32_t i = 0; i < list.count; i++)
         if (list.item[i].dimension > 0) {
@@ -232,7 +263,7 @@ complexes_are_accepted(session *s, const site *p, uint32_t n)
             for (uint32_t j = 0; j < list.count; j++)
                 if (face_equals(&list.item[j], &vertex))
                     list.item[j] = list.item[--list.count];
-            ask_complex(s, p, n, &list, false);
+            ask_complex(s, p, n, &list);
             return;
         }
 }

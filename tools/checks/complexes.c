@@ -87,18 +87,18 @@ is_flat(const site *p, const face *s)
            (s->dimension == 2 && plane_orient(p[v[0]], p[v[1]], p[v[2]]) == 0);
 }
 
-/* Is s flat, or one of its faces missing? */
-static bool
-is_faulty(const site *p, const face_list *list, const face *s, const bool *marked)
+/* What is wrong with s alone: it is flat, or one of its faces is missing. */
+static const char *
+fault_of(const site *p, const face_list *list, const face *s, const bool *marked)
 {
     if (is_flat(p, s))
-        return all_marked(s, marked);
+        return all_marked(s, marked) ? "a simplex is flat" : NULL;
     for (unsigned set = 1; set < 1u << (s->dimension + 1); set++) {
         face part = part_of(s, set);
         if (!face_is_listed(list, &part) && all_marked(&part, marked))
-            return true;
+            return part.dimension == 0 ? "a vertex is missing" : "an edge is missing";
     }
-    return false;
+    return NULL;
 }
 
 static bool
@@ -109,34 +109,37 @@ edges_cross(site a, site b, site c, site d)
 }
 
 /* Do two listed simplices meet where they must not? */
-static bool
-are_in_conflict(const site *p, const face *s, const face *t)
+static const char *
+fault_of_two(const site *p, const face *s, const face *t)
 {
     if (face_equals(s, t))
-        return true;
-    if (s->dimension == 0)
-        return !face_is_part(s, t) && is_inside(p, t, p[s->vertex[0]]);
-    return s->dimension == 1 && t->dimension == 1 &&
-           edges_cross(p[s->vertex[0]], p[s->vertex[1]], p[t->vertex[0]],
-                       p[t->vertex[1]]);
+        return "a simplex is listed twice";
+    if (s->dimension == 0 && !face_is_part(s, t) && is_inside(p, t, p[s->vertex[0]]))
+        return t->dimension == 0   ? "two vertices coincide"
+               : t->dimension == 1 ? "a vertex lies inside an edge"
+                                   : "a vertex lies inside a triangle";
+    if (s->dimension == 1 && t->dimension == 1 &&
+        edges_cross(p[s->vertex[0]], p[s->vertex[1]], p[t->vertex[0]],
+                    p[t->vertex[1]]))
+        return "two edges cross";
+    return NULL;
 }
 
-bool
-faces_show_fault(const site *points, uint32_t n, const face_list *list,
-                 const bool *marked)
+const char *
+faces_fault(const site *points, uint32_t n, const face_list *list, const bool *marked)
 {
     for (uint32_t i = 0; i < list->count; i++)
         for (int k = 0; k <= list->item[i].dimension; k++)
             if (list->item[i].vertex[k] >= n)
-                return true;
+                return "there is no such vertex";
     for (uint32_t i = 0; i < list->count; i++) {
         const face *s = &list->item[i];
-        if (is_faulty(points, list, s, marked))
-            return true;
-        for (uint32_t j = 0; all_marked(s, marked) && j < list->count; j++)
-            if (i != j && all_marked(&list->item[j], marked) &&
-                are_in_conflict(points, s, &list->item[j]))
-                return true;
+        const char *fault = fault_of(points, list, s, marked);
+        for (uint32_t j = 0; fault == NULL && j < list->count; j++)
+            if (i != j && all_marked(s, marked) && all_marked(&list->item[j], marked))
+                fault = fault_of_two(points, s, &list->item[j]);
+        if (fault != NULL)
+            return fault;
     }
-    return false;
+    return NULL;
 }

@@ -32,11 +32,11 @@ bool face_is_listed(const face_list *list, const face *s);
 /* Adds s and all its faces but the empty one, each once, as far as there is room. */
 void faces_close(face_list *list, const face *s);
 
-/* Is something wrong that these vertices show: two equal simplices, a flat one, a face
- * that is missing, a vertex inside a simplex, two vertices at one place, two edges that
- * cross; all of whose vertices are marked? An index out of range is always shown. With
- * every vertex marked: is the list no simplicial complex? */
-bool faces_show_fault(const site *points, uint32_t n, const face_list *list,
-                      const bool *marked);
+/* What is wrong, as far as these vertices show it: an index out of range (always shown),
+ * a flat simplex, a face that is missing, two equal simplices, a vertex inside a simplex
+ * or at the place of another, two edges that cross; all of their vertices must be marked.
+ * NULL: nothing. With every vertex marked, NULL says that the list is a complex. */
+const char *faces_fault(const site *points, uint32_t n, const face_list *list,
+                        const bool *marked);
 
 #endif
