@@ -28,7 +28,7 @@ HARNESS  := $(wildcard tests/harness/*.c tests/oracle/*.c)
 TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests/tools_*.c))
 TRI      := $(wildcard tools/tri/*.c)
 WEAVE    := $(wildcard tools/weave/*.c)
-BENCH    := $(wildcard tools/bench/*.c) tools/tri/distributions.c
+BENCH    := $(filter-out %/tiers.c,$(wildcard tools/bench/*.c)) tools/tri/distributions.c
 JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
 COMPARE  := tools/compare/contestants.c tools/tri/distributions.c
 HANDOUT  := $(filter-out %/splice.c,$(wildcard tools/handout/*.c))
@@ -42,7 +42,7 @@ COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
 all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
      $(BUILD)/handout $(BUILD)/splice \
-     $(BUILD)/bench/bench $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+     $(BUILD)/bench/bench $(BUILD)/bench/tiers $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
@@ -127,6 +127,11 @@ $(BUILD)/compare/times: $(patsubst %.c,$(BUILD)/posix/%.o,tools/compare/times.c 
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
+$(BUILD)/bench/tiers: $(BUILD)/posix-counted/tools/bench/tiers.o $(BUILD)/counted/libtri.a
+	@mkdir -p $(@D)
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
@@ -180,13 +185,11 @@ figures: $(FIGURES:%=$(BUILD)/figures/%) ## draw every figure of the pages again
 book: $(BUILD)/weave $(BUILD)/tri ## the pages as a static HTML book in build/book/ (needs pandoc)
 	tools/book.sh $(BUILD)
 
-bench: $(BUILD)/bench/bench $(BUILD)/tri ## times relative to sorting the same points
-	@if command -v g++ >/dev/null; then \
-	  g++ $(CFLAGS) -I. tools/bench/std_sort.cpp $(BUILD)/posix/tools/bench/yardstick.o \
-	    -o $(BUILD)/bench/std_sort && $(BUILD)/bench/std_sort; \
-	else echo "std::sort is not measured: there is no g++"; fi
+PEERS = $(patsubst %,$(BUILD)/posix/tools/bench/%.o,peers/main stopwatch certify)
+
+bench: $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/tri $(PEERS) ## times, and aims, beside sorting and other libraries (10 minutes)
+	CC="$(CC)" CFLAGS="$(CFLAGS)" tools/bench/peers.sh $(BUILD)
 	$(BUILD)/bench/bench -o $(BUILD)/bench
-	tools/bench/programs.sh $(BUILD)
 
 compare: $(BUILD)/compare/counts $(BUILD)/compare/times ## section 3.7's comparison, again: counts, then times
 	tools/compare/compare.sh $(BUILD)
