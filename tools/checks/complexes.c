@@ -1,6 +1,8 @@
 /* complexes.c - (a) of what is enough to check: simplicial complexes. */
 #include "tools/checks/complexes.h"
 
+#include <stddef.h>
+
 bool
 face_is_part(const face *s, const face *t)
 {
