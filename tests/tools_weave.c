@@ -1,4 +1,5 @@
-/* The tools that bind text and code: weave, deps and check.sh find whatever is not true.
+/* The tools that bind text and code: weave, say.sh, deps and check.sh find whatever is not
+ * true.
  *
  * Each trial plants a small project in a folder of its own, damages one thing, and
  * wants the damage to be named with file and line. And the example of the first page
@@ -261,6 +262,52 @@ bad_pages_are_refused(void)
     unlink("chapters/2.3_a/twice.c");
 }
 
+/* ---- say.sh: the steps of an algorithm, as text. ---- */
+
+static int
+run_say(const char *argument)
+{
+    char command[4000];
+    snprintf(command, sizeof command, "'%s/tools/book/say.sh' '%s' %s", root, build, argument);
+    return run(command);
+}
+
+static void
+steps_are_those_of_the_algorithm(void)
+{
+    static const char before[] =
+        "# A page\n<!-- player: --algorithm sweep chapters/2.3_a/watch.xy -->\n\nAnd so on.\n";
+    static const char *const parts[] = { /* of the page afterwards, in this order */
+        "# A page\n<!-- player: --algorithm sweep chapters/2.3_a/watch.xy -->\n\n",
+        "<details><summary>The 3 steps as text</summary>\n\n", "1. Line 2: ", "0-1",
+        "\n2. Line 4: ", "0-1", "\n3. Line 5: ", "0-1", "\n\n</details>\n\nAnd so on.\n",
+    };
+    char bytes[5000];
+    plant();
+    write_file("chapters/2.3_a/README.md", before);
+    write_file("chapters/2.3_a/watch.xy", "0 0\n1 0\n1 1\n");
+    CLAIM("say.drift", run_say("--check") == 1 &&
+          strstr(said, "chapters/2.3_a/README.md:4:"), "no list: %s", said);
+    read_file("chapters/2.3_a/README.md", bytes, sizeof bytes);
+    CLAIM("say.check_only", strcmp(bytes, before) == 0, "--check has changed the page");
+    CLAIM("say.steps", run_say("") == 0, "%s", said);
+    read_file("chapters/2.3_a/README.md", bytes, sizeof bytes);
+    const char *at = bytes;
+    for (size_t k = 0; k < sizeof parts / sizeof *parts && at != NULL; k++) {
+        at = strstr(at, parts[k]);
+        at = at == NULL ? NULL : at + strlen(parts[k]);
+    }
+    CLAIM("say.steps", at != NULL && *at == '\0', "the page became:\n%s", bytes);
+    CLAIM("say.twice", run_say("") == 0 && said[0] == '\0', "%s", said);
+    CLAIM("say.twice", run_say("--check") == 0, "%s", said);
+
+    write_file("chapters/2.3_a/watch.xy", "0 0\n1 0\n1 -1\n");
+    CLAIM("say.drift", run_say("--check") == 1 &&
+          strstr(said, "chapters/2.3_a/README.md:6:"), "other points: %s", said);
+    unlink("chapters/2.3_a/watch.xy");
+    CLAIM("say.unusable", run_say("--check") == 2 && strstr(said, "watch.xy"), "%s", said);
+}
+
 /* ---- deps. ---- */
 
 static void
@@ -386,8 +433,9 @@ main(int argc, char **argv)
     test_run("quotes are what the source says", quotes_are_what_the_source_says);
     test_run("every drift is found", every_drift_is_found);
     test_run("pages that cannot be right are refused", bad_pages_are_refused);
+    test_run("steps are those of the algorithm", steps_are_those_of_the_algorithm);
     test_run("forbidden includes are found", forbidden_includes_are_found);
     test_run("broken promises are found", broken_promises_are_found);
     test_run("the example of the first page is Delaunay", example_is_delaunay);
-    return test_end((test_minima){.trials = 6});
+    return test_end((test_minima){.trials = 7});
 }

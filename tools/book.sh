@@ -16,13 +16,14 @@ fi
 
 pages="README.md chapters/README.md $(echo chapters/[0-9]*/README.md)
        docs/notes_map.md docs/errata.md docs/glossary.md docs/references.md
-       docs/conventions.md docs/grading.md docs/performance.md"
+       docs/conventions.md docs/grading.md docs/performance.md docs/trace.md"
 book=$build/book.new
 rm -rf "$book"
 mkdir -p "$book"
-cp tools/book/book.css "$book"
-QUOTES=$book/quotes LINKED=$book/linked
-export QUOTES LINKED
+cp tools/book/book.css tools/book/player.css "$book"
+cp tools/book/steps.js tools/book/picture.js tools/book/player.js "$book"
+QUOTES=$book/quotes LINKED=$book/linked TRI=$build/tri
+export QUOTES LINKED TRI
 "$build/weave" --list >"$QUOTES"
 : >"$LINKED"
 
@@ -95,7 +96,9 @@ for page in $pages; do
     export PAGE
     toc=--toc
     grep -q '^## ' "$page" || toc=
-    to_html "$page" page "$page" --lua-filter tools/book/page.lua $toc --toc-depth 2 \
+    player=--variable=player
+    grep -q '^<!-- player: ' "$page" || player=
+    to_html "$page" page "$page" --lua-filter tools/book/page.lua $toc --toc-depth 2 $player \
         --metadata "pagetitle=$(title_of "$page")" \
         --variable "turn=$(turn_of "$page" "$root")"
 done

@@ -203,9 +203,11 @@ check() {
     fi
 }
 weave_check() { "$build/weave" --check; }
+say_check() { "${0%/*}/book/say.sh" "$build" --check; }
 deps() { "$build/deps"; }
 
 check "the pages quote what the sources say, and their references lead somewhere" weave_check
+check "the pages show the steps that the algorithms take" say_check
 check "lib, chapters and programs include only what they may" deps
 check "the library has no writable globals" library_has_no_writable_globals
 check "each claim of a page is asserted by a test, and the other way round" claims_are_paired

@@ -4,7 +4,7 @@
 # Every link and picture must lead to a file of the book, and to a place in it that
 # exists; nothing may be fetched from elsewhere. If Chromium is there, every page is
 # opened 390 pixels wide: it must not be wider than that, and there must be no message on the
-# console.
+# console. Then check_player.sh goes through the step players.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -97,6 +97,13 @@ else
         echo "not all pages could be opened" >>"$scratch/wide"
     report "every page is at most 390 pixels wide on a phone" "$scratch/wide"
     report "no page writes to the console" "$scratch/console"
+
+    "$here/check_player.sh" .. "$browser" >"$scratch/players"
+    grep -v ' passed, ' "$scratch/players"
+    counts=$(grep ' passed, ' "$scratch/players" || echo "0 passed, 1 failed")
+    passed=$((passed + ${counts%% *}))
+    counts=${counts#*, }
+    failed=$((failed + ${counts%% *}))
 fi
 
 echo "$passed passed, $failed failed"

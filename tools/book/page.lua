@@ -5,6 +5,7 @@
 --   PAGE     the page, as a path from the root of the project
 --   QUOTES   a file with the lines of `weave --list`
 --   LINKED   a file to which the sources that this page leads to are added
+--   TRI      the program tri, which runs the algorithms that the page shows step by step
 
 local page = os.getenv("PAGE")
 local folder = page:match("^(.*/)") or ""
@@ -92,8 +93,20 @@ function Table(table)
   return pandoc.Div({table}, {class = #table.colspecs > 4 and "table wide" or "table"})
 end
 
+-- <!-- player: ARGUMENTS --> becomes a player of what `tri trace ARGUMENTS` prints. No
+-- "<" may stand in it: "</script>" would end it.
+local function player(arguments)
+  local words = {"trace"}
+  for word in arguments:gmatch("%S+") do table.insert(words, word) end
+  local trace = pandoc.pipe(os.getenv("TRI"), words, ""):gsub("<", "\\u003c")
+  return pandoc.RawBlock("html", '<div class="player"><script type="application/json">' ..
+    trace .. "</script></div>")
+end
+
 -- The address of a quote becomes a line above it that leads to the source.
 function RawBlock(block)
+  local arguments = block.text:match("^<!%-%- player: (.-) %-%->")
+  if arguments then return player(arguments) end
   if not block.text:match("^<!%-%- code:") then return nil end
   quoted = quoted + 1
   local quote = quotes[quoted]
