@@ -1,91 +1,162 @@
-/* biased_order.c - rounds of doubling size, each along a space-filling curve. */
+/* biased_order.c - rounds of doubling size, each along a curve. */
 #include "chapters/3.6_randomized_incremental/biased_order.h"
 
-#include "chapters/2.3_line_sweep/sweep.h"
 #include "lib/memory.h"
 #include "lib/sort.h"
 
+#include <string.h>
+
 /* ---- The curve. ---- */
 
-enum { CURVE_BITS = 16 }; /* of each coordinate */
+/* Points travel with their indices, so that looking at them does not jump about. */
+typedef struct site {
+    point2 at;
+    vertex_id id;
+} site;
 
-/* The curve runs through the quarters of a square in one of four ways. For the lower
- * left, upper left, lower right, upper right quarter: when is its turn, and in which
- * way does the curve run through it, so that it ends beside the next? */
-typedef struct curve_way {
-    unsigned char turn[4], inside[4];
-} curve_way;
+/* A part of the sites, and whether the curve runs down in x and in y. */
+typedef struct part {
+    site *site;
+    uint32_t count;
+    bool down_x, down_y;
+} part;
 
-static const curve_way way[4] = {
-    {{0, 1, 3, 2}, {1, 0, 3, 0}}, /* from the lower left to the lower right */
-    {{0, 3, 1, 2}, {0, 2, 1, 1}}, /* from the lower left to the upper left */
-    {{2, 3, 1, 0}, {2, 1, 2, 3}}, /* from the upper right to the upper left */
-    {{2, 1, 3, 0}, {3, 3, 0, 2}}, /* from the upper right to the lower right */
-};
+/* Where a part is cut. Below are the coordinates less than `at`, and those equal to
+ * it only if there are no others. */
+typedef struct cut {
+    bool across_x; /* else across y */
+    double at;
+    bool at_is_below;
+} cut;
 
-uint32_t
-curve_place(uint32_t x, uint32_t y)
+static double
+coordinate(const site *s, bool x)
 {
-    uint32_t along = 0, w = 0;
-    for (int bit = CURVE_BITS - 1; bit >= 0; bit--) {
-        uint32_t quarter = 2 * (x >> bit & 1) + (y >> bit & 1);
-        along = 4 * along + way[w].turn[quarter];
-        w = way[w].inside[quarter];
-    }
-    return along;
+    return x ? s->at.x : s->at.y;
 }
 
-/* In which of the cells between `least` and `most` does c lie? Halves, so that the
- * difference of two coordinates is no infinity. */
-static uint32_t
-cell(double c, double least, double most)
+static double
+middle_of(double a, double b, double c)
 {
-    const double cells = 1u << CURVE_BITS;
-    double width = most / 2 - least / 2;
-    double at = (c / 2 - least / 2) / width * cells;
-    if (!(at >= 0)) /* the width is 0 */
-        return 0;
-    return at < cells ? (uint32_t)at : (1u << CURVE_BITS) - 1;
+    double low = a < b ? a : b, high = a < b ? b : a;
+    return c < low ? low : c > high ? high : c;
+}
+
+/* A cut across the longer side of the box, at the middle of three random points;
+ * something is on both sides. False if all points are at one location. */
+static bool
+choose_cut(part p, random_source *random, cut *chosen)
+{
+    point2 least = p.site[0].at, most = least;
+    for (uint32_t i = 1; i < p.count; i++) {
+        point2 q = p.site[i].at;
+        least.x = q.x < least.x ? q.x : least.x;
+        least.y = q.y < least.y ? q.y : least.y;
+        most.x = q.x > most.x ? q.x : most.x;
+        most.y = q.y > most.y ? q.y : most.y;
+    }
+    bool x = most.x - least.x >= most.y - least.y; /* infinite, if need be */
+    double sample[3];
+    for (int i = 0; i < 3; i++)
+        sample[i] = coordinate(&p.site[random_below(random, p.count)], x);
+    double at = middle_of(sample[0], sample[1], sample[2]);
+    *chosen = (cut){x, at, at == (x ? least.x : least.y)};
+    return least.x < most.x || least.y < most.y;
+}
+
+/* Puts the side through which the curve runs first before the other, and returns how
+ * many points it has. On both sides their order stays. */
+static uint32_t
+divide(part p, cut c, site *spare)
+{
+    bool down = c.across_x ? p.down_x : p.down_y;
+    uint32_t first = 0, second = 0;
+    for (uint32_t i = 0; i < p.count; i++) {
+        double q = coordinate(&p.site[i], c.across_x);
+        bool below = c.at_is_below ? q <= c.at : q < c.at;
+        p.site[first] = spare[second] = p.site[i]; /* one of them counts */
+        first += below != down;
+        second += below == down;
+    }
+    memcpy(p.site + first, spare, second * sizeof *spare);
+    return first;
+}
+
+/* Sorts p along the curve. It runs across a cut once, and along the cut it runs through
+ * one side up and through the other down. Two points are left as they are. */
+static void
+sort_along_curve(part p, site *spare, random_source *random)
+{
+    cut c;
+    while (p.count > 2 && choose_cut(p, random, &c)) {
+        uint32_t k = divide(p, c, spare);
+        part first = {p.site, k, p.down_x, p.down_y};
+        part second = {p.site + k, p.count - k, p.down_x, p.down_y};
+        if (c.across_x)
+            second.down_y = !p.down_y;
+        else
+            second.down_x = !p.down_x;
+        bool first_is_smaller = k < p.count - k; /* so at most log2 n calls deep */
+        sort_along_curve(first_is_smaller ? first : second, spare, random);
+        p = first_is_smaller ? second : first;
+    }
+}
+
+/* A cut does not separate copies of a point, nor change their order. */
+tri_status
+along_curve(const point2 *points, uint32_t n, random_source *random, vertex_id *order,
+            uint32_t *locations)
+{
+    *locations = 0;
+    site *sorted = memory_array(n, 2 * sizeof *sorted);
+    if (sorted == NULL)
+        return TRI_OUT_OF_MEMORY;
+    for (vertex_id v = 0; v < n; v++)
+        sorted[v] = (site){points[v], v};
+    sort_along_curve((part){sorted, n, false, false}, sorted + n, random);
+    for (uint32_t i = 0; i < n; i++) {
+        bool repeated = i > 0 && sorted[i - 1].at.x == sorted[i].at.x &&
+                        sorted[i - 1].at.y == sorted[i].at.y;
+        if (!repeated)
+            order[(*locations)++] = sorted[i].id;
+    }
+    memory_free(sorted);
+    return TRI_OK;
 }
 
 /* ---- The rounds. ---- */
 
-/* Place i of a random order is in the round of its highest bit: half of the points
- * are in the last round, half of the others in the one before, and so on. */
+enum { LAST_ROUND = 63 };
+
+/* The last round if a coin shows heads, else the one before if it does then, ... */
 static uint32_t
-round_of(uint32_t i)
+toss_for_round(random_source *random)
 {
-    uint32_t number = 0;
-    for (; i > 0; i /= 2)
-        number++;
-    return number;
+    uint64_t coins = random_bits(random);
+    uint32_t round = LAST_ROUND;
+    for (; coins % 2 == 0 && round > 0; coins /= 2)
+        round--;
+    return round;
 }
 
 tri_status
-biased_order(const point2 *points, vertex_id *L, uint32_t count, random_source *random)
+biased_order(const point2 *points, uint32_t n, random_source *random, vertex_id *order,
+             uint32_t *locations)
 {
-    shuffle(L, count, random);
+    tri_status status = along_curve(points, n, random, order, locations);
+    if (status != TRI_OK)
+        return status;
+    uint32_t count = *locations;
     sort_item *item = memory_array(count, 2 * sizeof *item);
-    if (item == NULL)
+    if (item == NULL) {
+        *locations = 0;
         return TRI_OUT_OF_MEMORY;
-
-    point2 least = {0, 0}, most = {0, 0};
-    for (uint32_t i = 0; i < count; i++) {
-        point2 p = points[L[i]];
-        least.x = i == 0 || p.x < least.x ? p.x : least.x;
-        least.y = i == 0 || p.y < least.y ? p.y : least.y;
-        most.x = i == 0 || p.x > most.x ? p.x : most.x;
-        most.y = i == 0 || p.y > most.y ? p.y : most.y;
     }
-    for (uint32_t i = 0; i < count; i++) {
-        point2 p = points[L[i]];
-        uint32_t along = curve_place(cell(p.x, least.x, most.x),
-                                     cell(p.y, least.y, most.y));
-        item[i] = (sort_item){(uint64_t)round_of(i) << 32 | along, L[i]};
-    }
-    sort_by_key(item, item + count, count);
     for (uint32_t i = 0; i < count; i++)
-        L[i] = item[i].id;
+        item[i] = (sort_item){toss_for_round(random), order[i]};
+    sort_by_key(item, item + count, count); /* within a round the order stays */
+    for (uint32_t i = 0; i < count; i++)
+        order[i] = item[i].id;
     memory_free(item);
     return TRI_OK;
 }
@@ -99,18 +170,16 @@ biased_triangulate(const point2 *points, uint32_t n, const tri_options *options,
     tri_status status = tri_accept(points, n, options, &used);
     if (status != TRI_OK)
         return status;
-    vertex_id *L = memory_array(n, sizeof *L);
-    if (L == NULL)
+    vertex_id *order = memory_array(n, sizeof *order);
+    if (order == NULL)
         return TRI_OUT_OF_MEMORY;
 
     uint32_t locations;
     used.locator = TRI_LOCATOR_WALK;
     random_source random = random_from_seed(used.seed);
-    status = sort_along(points, n, (point2){1, 0}, L, &locations);
+    status = biased_order(points, n, &random, order, &locations);
     if (status == TRI_OK)
-        status = biased_order(points, L, locations, &random);
-    if (status == TRI_OK)
-        status = insert_in_order(points, n, L, locations, &used, out);
-    memory_free(L);
+        status = insert_in_order(points, n, order, locations, &used, out);
+    memory_free(order);
     return status;
 }

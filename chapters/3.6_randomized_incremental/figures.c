@@ -495,32 +495,66 @@ draw_buckets(FILE *file)
 
 /* ---- The biased order. ---- */
 
+/* The points L[0 .. count-1] and the way from each to the next. */
+static void
+draw_way(svg *page, const point2 *points, const vertex_id *L, uint32_t count)
+{
+    for (uint32_t i = 0; i + 1 < count; i++)
+        svg_segment(page, points[L[i]], points[L[i + 1]], SVG_PLAIN);
+    for (uint32_t i = 0; i < count; i++)
+        svg_points(page, &points[L[i]], 1, SVG_PLAIN);
+}
+
+/* Where does the round begin that ends before L[end]? Where the order steps back
+ * along the curve. */
+static uint32_t
+round_begin(const vertex_id *L, const uint32_t *rank, uint32_t end)
+{
+    uint32_t i = end - 1;
+    while (i > 0 && rank[L[i - 1]] < rank[L[i]])
+        i--;
+    return i;
+}
+
 static void
 draw_biased(FILE *file)
 {
-    enum { n = 1024 };
-    point2 points[n];
-    vertex_id L[n];
-    random_source source = random_from_seed(7);
+    enum { n = 512 };
+    const uint64_t seed = 7;
+    point2 points[n], strip[n];
+    vertex_id curve[n], L[n];
+    uint32_t rank[n], count;
     fill_uniform(points, n, 61);
-    for (uint32_t i = 0; i < n; i++)
-        L[i] = i;
-    must(biased_order(points, L, n, &source), "biased_order");
+    fill_uniform(strip, n, 62);
+    for (uint32_t i = 0; i < n; i++) /* 16 times as crowded on one side */
+        strip[i].x *= strip[i].x * strip[i].x * strip[i].x;
+
     svg page;
     svg_begin(&page, file, (svg_layout){3, 1, 240, 240, 1},
-              "Three rounds of the biased order",
-              "In each round points are inserted along a space-filling curve. Each "
-              "round has "
-              "as many points as all rounds before it.");
-    for (uint32_t begin = 64; begin <= 512; begin *= begin == 64 ? 2 : 4) {
-        char caption[48];
-        snprintf(caption, sizeof caption, "points %u to %u", (unsigned)begin + 1,
-                 2 * (unsigned)begin);
-        svg_panel(&page, svg_box_of(points, n), begin, caption);
-        for (uint32_t i = begin; i + 1 < 2 * begin; i++)
-            svg_segment(&page, points[L[i]], points[L[i + 1]], SVG_PLAIN);
-        for (uint32_t i = begin; i < 2 * begin; i++)
-            svg_points(&page, &points[L[i]], 1, SVG_PLAIN);
+              "A curve along which the points of a round are inserted",
+              "The curve through 512 points that crowd on the left stays in one place "
+              "until it has been everywhere there. In the last two rounds of a biased "
+              "order, here of evenly spread points, it is thinned out at random.");
+    random_source random = random_from_seed(seed);
+    must(along_curve(strip, n, &random, curve, &count), "along_curve");
+    svg_panel(&page, svg_box_of(strip, n), count, "a curve through 512 points");
+    draw_way(&page, strip, curve, count);
+
+    random = random_from_seed(seed);
+    must(along_curve(points, n, &random, curve, &count), "along_curve");
+    for (uint32_t i = 0; i < count; i++)
+        rank[curve[i]] = i;
+    random = random_from_seed(seed);
+    must(biased_order(points, n, &random, L, &count), "biased_order");
+    uint32_t last = round_begin(L, rank, count);
+    uint32_t begin[2] = {round_begin(L, rank, last), last}, end[2] = {last, count};
+    for (int k = 0; k < 2; k++) {
+        char caption[64];
+        snprintf(caption, sizeof caption, "%s: points %u to %u",
+                 k == 0 ? "last round but one" : "last round", (unsigned)begin[k] + 1,
+                 (unsigned)end[k]);
+        svg_panel(&page, svg_box_of(points, n), end[k] - begin[k], caption);
+        draw_way(&page, points, L + begin[k], end[k] - begin[k]);
     }
     svg_end(&page);
 }
