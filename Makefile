@@ -42,7 +42,7 @@ COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
 all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
      $(BUILD)/handout $(BUILD)/splice \
-     $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/compare/counts $(BUILD)/compare/times $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+     $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/compare/counts $(BUILD)/compare/times $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(BUILD)/signs $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
@@ -142,6 +142,12 @@ $(BUILD)/checker_%: $(CHECKING:%.c=$(BUILD)/posix/%.o) $(BUILD)/posix/tools/chec
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
+# The instances of 3.4 have their signs from big integers.
+$(BUILD)/signs: $(BUILD)/posix/tools/checks/signs.o $(BUILD)/posix/tests/oracle/oracle.o \
+                $(BUILD)/posix/tests/oracle/big.o $(BUILD)/libtri.a
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
 $(BUILD)/figures/%: $(BUILD)/posix/chapters/%/figures.o $(BUILD)/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
@@ -156,7 +162,8 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
-    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(TOOLS:%=$(BUILD)/%)
+    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
+    $(BUILD)/handout $(BUILD)/splice $(TOOLS:%=$(BUILD)/%)
 
 $(BUILD)/test/3.7_comparison: | $(BUILD)/compare/counts
 

@@ -1,7 +1,7 @@
 /* checker.c - checks one exercise of a student's program.
  *
- *     checker EXERCISE [--seed N] [--property NAME] [--variant NAME] [--feedback DIR]
- *             [--again "COMMAND"] -- PROGRAM [ARGUMENT...]
+ *     checker EXERCISE [--seed N] [--property NAME] [--variant NAME] [--instances FILE]
+ *             [--feedback DIR] [--again "COMMAND"] -- PROGRAM [ARGUMENT...]
  *
  * Each property of the exercise is tried on many sets of points; the first that fails is
  * made as small as possible and reported: what must hold, what was seen, the points, a
@@ -25,7 +25,7 @@ enum { ACCEPT = 42, REJECT = 43, FAULT = 1 };
 enum { MOST_POINTS = 1000, MOST_RUNS = 300 };
 
 typedef struct request {
-    const char *exercise, *property, *variant, *feedback, *again;
+    const char *exercise, *property, *variant, *instances, *feedback, *again;
     uint64_t seed;
 } request;
 
@@ -132,7 +132,7 @@ print_failure(FILE *file, const session *s, const failure *f, const request *r,
     fputs("  what was seen: ", file);
     print_clean(file, s->seen);
     putc('\n', file);
-    if (f->end != FATE_TODO)
+    if (f->end != FATE_TODO && r->instances == NULL)
         print_points(file, f->points, f->n);
     if (f->end != FATE_ANSWERED && s->student.said_count > 0) {
         fputs("  the program's last words:\n    ", file);
@@ -175,7 +175,8 @@ report_failure(const session *s, const failure *f, const request *r, FILE *table
     const char *drawn = NULL;
     if (r->feedback != NULL) {
         snprintf(picture, sizeof picture, "%s/%s.svg", r->feedback, f->of->name);
-        if (f->end != FATE_TODO && picture_write(s, f->of, f->points, f->n, picture))
+        if (f->end != FATE_TODO && r->instances == NULL &&
+            picture_write(s, f->of, f->points, f->n, picture))
             drawn = picture;
         FILE *text = open_in(r->feedback, f->of->name, ".txt", path, sizeof path);
         print_failure(text, s, f, r, drawn);
@@ -244,7 +245,7 @@ usage(const char *wrong)
 {
     fprintf(stderr,
             "checker: %s\nusage: checker EXERCISE [--seed N] [--property NAME] "
-            "[--variant NAME] [--feedback DIR] [--again TEXT] -- PROGRAM [ARGUMENT...]\n",
+            "[--variant NAME] [--instances FILE] [--feedback DIR] [--again TEXT] -- PROGRAM [ARGUMENT...]\n",
             wrong);
     exit(FAULT);
 }
@@ -280,6 +281,8 @@ read_arguments(int argc, char **argv, char ***command)
             r.property = value;
         else if (strcmp(name, "--variant") == 0)
             r.variant = value;
+        else if (strcmp(name, "--instances") == 0)
+            r.instances = value;
         else if (strcmp(name, "--feedback") == 0)
             r.feedback = value;
         else if (strcmp(name, "--again") == 0)
@@ -304,6 +307,7 @@ main(int argc, char **argv)
         return FAULT;
     }
     s.variant = r.variant;
+    s.instances = r.instances;
     s.seconds = 5;
     signal(SIGPIPE, SIG_IGN);
     FILE *table = NULL;

@@ -89,6 +89,9 @@ random_source *trial_random(session *s);
 /* The variant that was handed out: "" if none. */
 const char *variant_of(const session *s);
 
+/* The file of --instances, or NULL: cases that came with their answers (3.4). */
+const char *instances_of(const session *s);
+
 /* ---- The answer, strictly read. ---- */
 
 /* The next number, from low to high; anything else fails the trial and gives low. */

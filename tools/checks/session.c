@@ -157,6 +157,12 @@ variant_of(const session *s)
     return s->variant;
 }
 
+const char *
+instances_of(const session *s)
+{
+    return s->instances;
+}
+
 /* ---- The answer. ---- */
 
 /* The next word; when there is none the trial fails, and the word is 0. */

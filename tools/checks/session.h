@@ -9,7 +9,7 @@ enum { SESSION_LISTS = 8 }; /* lists of triangles kept in one trial, at most */
 struct session {
     /* for all trials */
     program student;
-    const char *variant;
+    const char *variant, *instances;
     double seconds;     /* for one answer */
     bool opaque;
 
@@ -25,7 +25,7 @@ struct session {
     /* how it came out */
     bool failed;
     fate end;        /* of the last case */
-    char seen[400];  /* what was seen, in a sentence */
+    char seen[600];  /* what was seen, in a sentence */
     verdict witness; /* the points to look at */
     triangle_list kept[SESSION_LISTS];
     uint32_t lists;
