@@ -41,8 +41,8 @@ void handout_prove(const handout *h);
 /* No three lines in a row of what was taken out stand anywhere (leaks.c). */
 void handout_prove_nothing_leaks(const handout *h);
 
-/* In which variants is the exercise asked (words)? */
-const char *exercise_variants(const handout *h, const exercise *e);
+/* Is the exercise asked in the handout's variant? */
+bool is_asked_in_variant(const handout *h, const exercise *e);
 
 /* Is some exercise of the section asked? */
 bool section_is_asked(const handout *h, const char *section);

@@ -231,8 +231,7 @@ variant_text(const handout *h)
     const char *asked = "", *text = ini_value(&h->project.assignments, h->variant, "text");
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
-        if (e->role == ROLE_ASKED &&
-            has_word(exercise_variants(h, e), h->variant, strlen(h->variant)))
+        if (is_asked_in_variant(h, e))
             asked = format("%s%s%s", asked, *asked != '\0' ? ", " : "", e->id);
     }
     if (*text == '\0')

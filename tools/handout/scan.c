@@ -75,13 +75,47 @@ after_directive(const char *text, size_t i)
     return i;
 }
 
-/* Behind whatever is not code at i: a comment, a literal, a directive; else i. */
+/* The word behind the # of a directive. */
+static const char *
+directive_word(const char *text, size_t i)
+{
+    return text + i + 1 + strspn(text + i + 1, " \t");
+}
+
+/* Behind a part that is switched off, which begins with the #if 0 at i: before its
+ * #else or #endif. */
+static size_t
+after_switched_off(const char *text, size_t i)
+{
+    int depth = 0;
+    for (; text[i] != '\0'; i = after_line(text, i) + 1) {
+        size_t k = i + strspn(text + i, " \t");
+        if (text[k] != '#') {
+            if (text[after_line(text, i)] == '\0')
+                break;
+            continue;
+        }
+        const char *word = directive_word(text, k);
+        if (depth == 1 && (begins_with(word, "endif") || begins_with(word, "el")))
+            return i;
+        depth += begins_with(word, "if") - begins_with(word, "endif");
+        if (text[after_line(text, i)] == '\0')
+            break;
+    }
+    return i + strlen(text + i);
+}
+
+/* Behind whatever is not code at i: a comment, a literal, a directive, a part that is
+ * switched off; else i. */
 static size_t
 after_other(const char *text, size_t i)
 {
-    if (text[i] == '#' && begins_line(text, i))
-        return after_directive(text, i);
-    return after_inert(text, i);
+    if (text[i] != '#' || !begins_line(text, i))
+        return after_inert(text, i);
+    const char *word = directive_word(text, i);
+    if (begins_with(word, "if 0") && !isalnum((unsigned char)word[4]))
+        return after_switched_off(text, i);
+    return after_directive(text, i);
 }
 
 size_t
@@ -201,8 +235,8 @@ static item
 scan_directive(const char *text, size_t i)
 {
     item d = {.kind = ITEM_DIRECTIVE, .comment = i, .begin = i,
-              .end = after_directive(text, i)};
-    size_t k = i + 1 + strspn(text + i + 1, " \t");
+              .end = after_other(text, i)};
+    size_t k = (size_t)(directive_word(text, i) - text);
     if (begins_with(text + k, "define")) {
         k += 6;
         k += strspn(text + k, " \t");

@@ -36,10 +36,12 @@ exercise_program(const handout *h, const exercise *e)
     return strcmp(mode, "opaque") == 0 ? "opaque" : "plain";
 }
 
-const char *
-exercise_variants(const handout *h, const exercise *e)
+bool
+is_asked_in_variant(const handout *h, const exercise *e)
 {
-    return exercise_key(&h->project, e, "variants");
+    return e->role == ROLE_ASKED &&
+           has_word(exercise_key(&h->project, e, "variants"), h->variant,
+                    strlen(h->variant));
 }
 
 /* A word of the request: an exercise, or all of a section. */
