@@ -41,11 +41,19 @@ typedef struct failure {
 
 static uint32_t runs_left; /* to make the case smaller; one that hangs takes a second */
 
-/* Does this smaller case fail in the same way? */
+static bool
+all_differ(const site *points, uint32_t n)
+{
+    uint32_t lowest[MOST_POINTS];
+    return cases_locations(points, n, lowest) == n;
+}
+
+/* Does this smaller case fail in the same way? Where no points coincided none may. */
 static bool
 still_fails(session *s, const failure *f, const site *points, uint32_t n)
 {
-    if (runs_left == 0)
+    bool may_coincide = (f->of->families & (CASES_DUPLICATES | CASES_COLLINEAR)) != 0;
+    if (runs_left == 0 || !(may_coincide || all_differ(points, n)))
         return false;
     runs_left--;
     session_trial(s, f->of, f->seed, points, n);

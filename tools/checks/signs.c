@@ -56,6 +56,31 @@ draw_shape(random_source *source, point2 p[4])
     }
 }
 
+/* Two vectors of up to 53 bits with the cross product 1 or -1: adding a multiple of one
+ * to the other does not change it. Products of 64 bits cannot tell. */
+static void
+draw_neighbours(random_source *source, point2 p[4])
+{
+    point2 u = {1, 0}, v = {0, 1};
+    for (;;) {
+        double times = 1 + random_below(source, 7);
+        point2 *larger = random_below(source, 2) == 0 ? &u : &v;
+        point2 *other = larger == &u ? &v : &u;
+        point2 sum = {larger->x + times * other->x, larger->y + times * other->y};
+        if (sum.x > 0x1p53 || sum.y > 0x1p53)
+            break;
+        *larger = sum;
+    }
+    point2 zero = {0, 0};
+    p[0] = u;
+    p[1] = p[3] = zero;
+    p[2] = v;
+    if (random_below(source, 2) == 0) {
+        p[0] = v;
+        p[2] = u;
+    }
+}
+
 /* Scaled by a power of two (the sign stays what it is), then moved by single doubles. */
 static void
 disturb(random_source *source, int exponent, point2 p[4])
@@ -113,11 +138,14 @@ print_instances(random_source *source, char exercise)
 {
     point2 p[4];
     for (int i = 0; i < INSTANCES; i++) { /* moderate */
-        draw_shape(source, p);
-        disturb(source, (int)random_below(source, 60) - 50, p);
-        /* a cross product asks about two vectors: three points in most uses */
-        if (exercise == 'a' && i % 2 == 0)
-            p[3] = p[1];
+        if (exercise == 'a' && i % 4 == 0) {
+            draw_neighbours(source, p);
+        } else {
+            draw_shape(source, p);
+            disturb(source, (int)random_below(source, 60) - 50, p);
+            if (exercise == 'a' && i % 2 == 0) /* mostly two vectors with a common end */
+                p[3] = p[1];
+        }
         if (all_moderate(p))
             print_instance(exercise, p);
     }
