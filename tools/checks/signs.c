@@ -81,13 +81,22 @@ draw_neighbours(random_source *source, point2 p[4])
     }
 }
 
-/* Scaled by a power of two (the sign stays what it is), then moved by single doubles. */
+/* By a power of two: the sign stays what it is. */
 static void
-disturb(random_source *source, int exponent, point2 p[4])
+scale(int exponent, point2 p[4])
 {
     for (int i = 0; i < 4; i++) {
         p[i].x = ldexp(p[i].x, exponent);
         p[i].y = ldexp(p[i].y, exponent);
+    }
+}
+
+/* Scaled, then some moved to a neighbouring double. */
+static void
+disturb(random_source *source, int exponent, point2 p[4])
+{
+    scale(exponent, p);
+    for (int i = 0; i < 4; i++) {
         if (random_below(source, 3) == 0) {
             p[i].x = step(source, p[i].x);
             p[i].y = step(source, p[i].y);
@@ -151,6 +160,12 @@ print_instances(random_source *source, char exercise)
     }
     for (int i = 0; i < INSTANCES; i++) { /* every double */
         static const int extreme[4] = {-1074, -1040, 1014, 960};
+        if (exercise == 'a' && i % 8 == 3) {
+            draw_neighbours(source, p);
+            scale(extreme[i / 8 % 2 * 3], p);
+            print_instance(exercise, p);
+            continue;
+        }
         draw_shape(source, p);
         disturb(source, extreme[i % 4], p);
         if (i % 3 == 0)
