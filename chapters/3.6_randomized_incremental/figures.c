@@ -2,6 +2,7 @@
  * the algorithms run under observers, and the tree and the dice are computed.
  */
 #include "chapters/3.6_randomized_incremental/biased_order.h"
+#include "chapters/3.6_randomized_incremental/bucket_grid.h"
 #include "chapters/3.6_randomized_incremental/large_triangle.h"
 #include "chapters/3.6_randomized_incremental/probability.h"
 #include "chapters/figures.h"
@@ -67,7 +68,7 @@ fill_uniform(point2 *points, uint32_t n, uint64_t seed)
 {
     random_source source = random_from_seed(seed);
     for (uint32_t i = 0; i < n; i++)
-        points[i] = (point2){random_unit(&source), random_unit(&source)};
+        points[i] = random_point(&source);
 }
 
 /* ---- Figure 12, executed; also used for Figure 13. ---- */
@@ -593,6 +594,75 @@ draw_large_triangle(FILE *file)
     svg_end(&page);
 }
 
+/* ---- A grid of buckets, and the walk from what it finds. ---- */
+
+/* The box of the cells from `low` to `high`, both included. */
+static svg_box
+cells_box(const bucket_grid *g, point2 low, point2 high)
+{
+    double width = (g->most.x - g->least.x) / g->side,
+           height = (g->most.y - g->least.y) / g->side;
+    return (svg_box){{g->least.x + low.x * width, g->least.y + low.y * height},
+                     {g->least.x + (high.x + 1) * width,
+                      g->least.y + (high.y + 1) * height}};
+}
+
+static void
+draw_outline(svg *page, svg_box box, svg_style style)
+{
+    const point2 corner[4] = {box.min, {box.max.x, box.min.y}, box.max,
+                              {box.min.x, box.max.y}};
+    for (int i = 0; i < 4; i++)
+        svg_segment(page, corner[i], corner[(i + 1) % 4], style);
+}
+
+static void
+draw_cells(svg *page, const bucket_grid *g)
+{
+    for (uint32_t i = 0; i <= g->side; i++) {
+        svg_box across = cells_box(g, (point2){0, i}, (point2){g->side - 1, i}),
+                along = cells_box(g, (point2){i, 0}, (point2){i, g->side - 1});
+        svg_segment(page, across.min, (point2){across.max.x, across.min.y}, SVG_FAINT);
+        svg_segment(page, along.min, (point2){along.min.x, along.max.y}, SVG_FAINT);
+    }
+}
+
+static void
+draw_grid(FILE *file)
+{
+    enum { n = 60 }; /* and the one that is to come */
+    point2 points[n + 1];
+    vertex_id order[n + 1];
+    bucket_grid g;
+    fill_uniform(points, n + 1, 34);
+    for (vertex_id v = 0; v <= n; v++)
+        order[v] = v;
+    must(bucket_grid_init(&g, points, order, n + 1), "bucket_grid_init");
+    for (int i = 0; i < n; i++)
+        bucket_grid_add(&g);
+    point2 p = points[n];
+    uint32_t cell = bucket_grid_cell(&g, p);
+    double x = cell % g.side, y = cell / g.side;
+    vertex_id v = bucket_grid_near(&g, p);
+
+    svg page;
+    svg_begin(&page, file, (svg_layout){2, 1, 300, 300, 1}, "A grid of buckets",
+              "Sixty points in a grid of cells. The cell of a new point is empty; in the "
+              "ring of cells around it there are points. From one of them the walk to the "
+              "new point visits a few triangles only.");
+    svg_panel(&page, svg_box_of(points, n + 1), n, "an empty cell, the ring around it");
+    draw_cells(&page, &g);
+    draw_outline(&page, cells_box(&g, (point2){x - 1, y - 1}, (point2){x + 1, y + 1}),
+                 SVG_NEW);
+    draw_outline(&page, cells_box(&g, (point2){x, y}, (point2){x, y}), SVG_STRONG);
+    svg_points(&page, points, n, SVG_PLAIN);
+    svg_points(&page, &points[v], 1, SVG_STRONG);
+    svg_points(&page, &p, 1, SVG_NEW);
+    draw_walk(&page, points, n, v, p);
+    svg_end(&page);
+    bucket_grid_free(&g);
+}
+
 static const figure figures[] = {
     {"fig12_steps", draw_steps},
     {"outside", draw_outside},
@@ -602,6 +672,7 @@ static const figure figures[] = {
     {"fig16_walks", draw_walks},
     {"buckets", draw_buckets},
     {"biased_order", draw_biased},
+    {"bucket_grid", draw_grid},
     {"large_triangle", draw_large_triangle},
 };
 
