@@ -101,7 +101,7 @@ $(BUILD)/jail: $(JAIL:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
-$(BUILD)/handout: $(HANDOUT:%.c=$(BUILD)/posix/%.o) | $(BUILD)/weave
+$(BUILD)/handout: $(HANDOUT:%.c=$(BUILD)/posix/%.o) | $(BUILD)/weave $(BUILD)/signs
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 

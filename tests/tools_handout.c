@@ -495,6 +495,15 @@ static const char *const student =
     "}\n"
     "int half(int a){return add(a)+33;}";
 
+/* The reference's helper in the same words, but below the function. */
+static const char *const disordered =
+    "static int add(int a, int b);\n"
+    "int twice(int a) { return add(a, 1); }\n"
+    "int increment(int a) { return add(a, 1) ; }\n"
+    "int half(int a) { return a; }\n"
+    "static int\nadd(int a, int b)\n{\n    const char brace = '{', *quote = \"}\\\"{\";\n"
+    "    return a + /* and */ b + (brace == quote[0]);\n}\n";
+
 static const char *const values =
     "#include \"chapters/2.3_a/a.h\"\n#include <stdio.h>\n"
     "void exercise_todo(const char *id);\n"
@@ -525,6 +534,11 @@ exercises_are_put_into_a_students_file(void)
         CLAIM("splice", run(command) == 0 && strcmp(said, spliced[k].result) == 0,
               "splice %s: %s", spliced[k].arguments, said);
     }
+    write_file("mine/chapters/2.3_a/a.c", disordered);
+    run_tool("splice", ". mine 2.3-a");
+    write_file("spliced.c", said);
+    CLAIM("splice.order", run("cc -Werror -I. spliced.c values.c -o values && ./values") == 0
+          && strcmp(said, "14 14 4\n") == 0, "%s", said);
     write_file("mine/chapters/2.3_a/a.c", "int half(int a) { return a; }\n");
     CLAIM("splice.missing", run_tool("splice", ". mine 2.3-a") == 1 &&
           strstr(said, "no function twice"), "%s", said);

@@ -107,6 +107,7 @@ main(int argc, char **argv)
     handout h = {.name = r.what, .variant = r.variant};
     h.project = project_read(".");
     h.weave = beside(argv[0], "weave");
+    h.signs = beside(argv[0], "signs");
     h.scratch = make_scratch();
 
     handout_select(&h);

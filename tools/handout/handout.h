@@ -12,6 +12,7 @@ typedef struct handout {
     const char *sections; /* whose code is in the tree, in words, in the order of the notes */
     tree tree;
     const char *weave;    /* the program that fills the quotes */
+    const char *signs;    /* the program that makes the instances of 3.4 */
     const char *scratch;  /* a folder of our own */
 } handout;
 

@@ -22,7 +22,8 @@ for pair in "$@"; do
     set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again"
     [ -n "$VARIANT" ] && set -- "$@" --variant "$VARIANT"
     [ -n "$PROPERTY" ] && set -- "$@" --property "$PROPERTY"
-    [ -f "checks/$exercise.signs" ] && set -- "$@" --signs "checks/$exercise.signs"
+    signs=checks/${exercise%-*}.signs
+    [ -f "$signs" ] && set -- "$@" --signs "$signs"
     echo "== $exercise"
     "build/checker_${exercise%-*}" "$@" -- "$program"
     case $? in
