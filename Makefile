@@ -30,6 +30,8 @@ TRI      := $(wildcard tools/tri/*.c)
 WEAVE    := $(wildcard tools/weave/*.c)
 BENCH    := $(filter-out %/tiers.c,$(wildcard tools/bench/*.c)) tools/tri/distributions.c
 JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
+GRADE    := $(filter-out $(JAIL),$(wildcard tools/grade/*.c)) \
+            $(addprefix tools/handout/,basics.c exercises.c scan.c)
 COMPARE  := tools/compare/contestants.c tools/tri/distributions.c
 HANDOUT  := $(filter-out %/splice.c,$(wildcard tools/handout/*.c))
 SPLICE   := $(addprefix tools/handout/,basics.c exercises.c rewrite.c scan.c splice.c)
@@ -97,6 +99,11 @@ $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
+$(BUILD)/grade: $(GRADE:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a | \
+    $(BUILD)/jail $(BUILD)/handout $(BUILD)/splice
+	@$(SAY) "  link  $@"
+	$(CC) $(CFLAGS) $^ -o $@ -lm
+
 $(BUILD)/jail: $(JAIL:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
@@ -162,7 +169,7 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
-    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
+    $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(BUILD)/grade \
     $(BUILD)/handout $(BUILD)/splice $(TOOLS:%=$(BUILD)/%)
 
 $(BUILD)/test/3.7_comparison: | $(BUILD)/compare/counts

@@ -1,0 +1,496 @@
+/* grade.c - grades submissions: one, a folder of them, or a class.
+ *
+ *     grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]
+ *           [--format LIST] [-o FOLDER] [--csv FILE] [--roster FILE] [--supply]
+ *           [--variant NAME] [--require-sandbox] SUBMISSION|FOLDER...
+ *     grade --viva ID -a ... SUBMISSION
+ *     grade --pack gradescope -a ... [--seed-file FILE] -o FILE.zip
+ *
+ * docs/grading.md explains it. Exit status: 0 all were graded; 1 refused, standard error
+ * says why; 2 the program cannot run; 3 for some submissions the grader has failed, and
+ * these have no score.
+ */
+#include "tools/grade/grade.h"
+
+#include "lib/output.h"
+#include "tools/grade/clean.h"
+#include "tools/handout/basics.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { GRADED = 0, FAULT = 3 };
+
+typedef struct request {
+    const char *what, *base, *seed_file, *formats, *output, *csv, *roster, *variant;
+    const char *viva, *pack;
+    int workers;
+    bool supply, required;
+    char **path;
+} request;
+
+static _Noreturn void
+usage(void)
+{
+    fputs("usage: grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]\n"
+          "             [--format text,gradescope,classroom50,junit,tap] [-o FOLDER]\n"
+          "             [--csv FILE] [--roster FILE] [--supply] [--variant NAME]\n"
+          "             [--require-sandbox] SUBMISSION|FOLDER...\n"
+          "       grade --viva ID -a WEEK|SECTION|EXERCISE SUBMISSION\n"
+          "       grade --pack gradescope -a WEEK|SECTION|EXERCISE [--seed-file FILE] "
+          "-o FILE.zip\n", stderr);
+    exit(2);
+}
+
+static request
+parse(int argc, char **argv)
+{
+    request r = {.formats = "text", .workers = 1, .variant = ""};
+    const struct { const char *name; const char **value; } valued[] = {
+        {"-a", &r.what}, {"--base", &r.base}, {"--seed-file", &r.seed_file},
+        {"--format", &r.formats}, {"-o", &r.output}, {"--csv", &r.csv},
+        {"--roster", &r.roster}, {"--variant", &r.variant}, {"--viva", &r.viva},
+        {"--pack", &r.pack},
+    };
+    int i = 1;
+    for (; i < argc && argv[i][0] == '-'; i++) {
+        bool known = false;
+        if (strcmp(argv[i], "--supply") == 0)
+            r.supply = known = true;
+        else if (strcmp(argv[i], "--require-sandbox") == 0)
+            r.required = known = true;
+        else if (i + 1 == argc)
+            usage();
+        else if (strcmp(argv[i], "-j") == 0 && (r.workers = atoi(argv[++i])) > 0)
+            known = true;
+        for (size_t k = 0; !known && k < sizeof valued / sizeof valued[0]; k++)
+            if (strcmp(argv[i], valued[k].name) == 0) {
+                *valued[k].value = argv[++i];
+                known = true;
+            }
+        if (!known)
+            usage();
+    }
+    r.path = argv + i;
+    bool several = r.pack == NULL && r.viva == NULL;
+    if ((r.what == NULL && r.base == NULL) || (several && i == argc) ||
+        (r.viva != NULL && i + 1 != argc) || (r.pack != NULL && r.output == NULL))
+        usage();
+    r.formats = replace_all(r.formats, ",", " ");
+    if (formats_check(r.formats) != NULL)
+        refuse("there is no format %s", formats_check(r.formats));
+    return r;
+}
+
+/* ---- The place of work. ---- */
+
+static const char *work; /* removed at the end */
+static pid_t owner;      /* by the process that has made it, and by no worker */
+
+static void
+remove_work(void)
+{
+    if (getpid() == owner)
+        remove_folder(work);
+}
+
+static void
+interrupted(int signal_number)
+{
+    run_end();
+    remove_work();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+static const char *
+current_folder(void)
+{
+    char here[4096];
+    if (getcwd(here, sizeof here) == NULL)
+        give_up("getcwd");
+    return format("%s", here);
+}
+
+static const char *
+from_root(const char *path)
+{
+    return *path == '/' ? path : format("%s/%s", current_folder(), path);
+}
+
+static const char *
+make_work(void)
+{
+    const char *place = getenv("TMPDIR");
+    char *folder = format("%s/grade.XXXXXX", from_root(place != NULL ? place : "/tmp"));
+    if (mkdtemp(folder) == NULL || chmod(folder, 0755) != 0)
+        give_up(folder);
+    work = folder;
+    owner = getpid();
+    atexit(remove_work);
+    signal(SIGINT, interrupted);
+    signal(SIGTERM, interrupted);
+    signal(SIGHUP, interrupted);
+    return folder;
+}
+
+/* The folder of this program, with jail, handout and splice beside it. */
+static const char *
+own_folder(const char *self)
+{
+    const char *slash = strrchr(self, '/');
+    if (slash == NULL)
+        refuse("call grade by its path: build/grade");
+    return from_root(part_of(self, (size_t)(slash - self)));
+}
+
+/* The tree that was handed out, in `to`: a copy of --base, or made here. */
+static void
+bring_base(const request *r, const char *tools, const char *to)
+{
+    char *said;
+    command_line c = {NULL, 0};
+    if (r->base != NULL) {
+        make_folder(to);
+        const char *const sh[] = {"sh", "-c",
+            "cd \"$0\" && find . -name build -prune -o -type f -print | "
+            "while read -r f; do mkdir -p \"$1/${f%/*}\" && cp \"$f\" \"$1/$f\" || exit 1; done",
+            r->base, to, NULL};
+        if (run(".", sh, 60, 2000, &said, NULL) != 0)
+            refuse("%s: %s", r->base, said);
+        return;
+    }
+    command_add(&c, format("%s/handout", tools));
+    command_add(&c, r->what);
+    command_add_words(&c, "--no-proof -o");
+    command_add(&c, to);
+    if (*r->variant != '\0') {
+        command_add(&c, "--variant");
+        command_add(&c, r->variant);
+    }
+    if (run(".", c.word, 120, 4000, &said, NULL) != 0)
+        refuse("%s", said);
+}
+
+/* Any text names a sequence of cases; without one it is the students' own, seed 1. */
+static uint64_t
+read_seed(const char *path)
+{
+    size_t size;
+    uint64_t seed = 14695981039346656037u;
+    if (path == NULL)
+        return 1;
+    const char *bytes = file_bytes(path, &size);
+    if (bytes == NULL || size == 0)
+        refuse("%s: there is no seed; write some random text into it", path);
+    for (size_t i = 0; i < size; i++)
+        seed = (seed ^ (unsigned char)bytes[i]) * 1099511628211u;
+    return seed;
+}
+
+static grading
+prepare(const request *r, const char *self)
+{
+    grading g = {.work = make_work(), .tools = own_folder(self), .seed = read_seed(r->seed_file)};
+    const char *compiler = getenv("CC");
+    g.base = format("%s/base", g.work);
+    g.project = current_folder();
+    g.compiler = compiler != NULL && *compiler != '\0' ? compiler : "cc";
+    g.required = r->required;
+    g.supply = r->supply;
+    g.formats = r->formats;
+    bring_base(r, g.tools, g.base);
+    g.asked = assignment_read(g.base);
+    return g;
+}
+
+/* ---- Which submissions? ---- */
+
+typedef struct submission {
+    const char *name, *path; /* path NULL: on the roster, and nothing handed in */
+    const char *output;
+    pid_t worker;
+} submission;
+
+typedef struct class {
+    submission *at;
+    size_t count;
+} class;
+
+static bool
+is_folder(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
+}
+
+/* "anna" of "class/anna.tar.gz" and of "class/anna/". */
+static const char *
+name_of(const char *path)
+{
+    size_t length = strlen(path);
+    while (length > 1 && path[length - 1] == '/')
+        length--;
+    const char *name = part_of(path, length);
+    if (strrchr(name, '/') != NULL && strrchr(name, '/')[1] != '\0')
+        name = strrchr(name, '/') + 1;
+    static const char *const endings[] = {".tar", ".tar.gz", ".tgz"};
+    for (int i = 0; i < 3; i++)
+        if (ends_with(name, endings[i]) && strlen(name) > strlen(endings[i]))
+            return part_of(name, strlen(name) - strlen(endings[i]));
+    return name;
+}
+
+static void
+add_submission(class *c, const char *name, const char *path)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (strcmp(c->at[i].name, name) == 0) {
+            if (path == NULL)
+                return;
+            refuse("two submissions have the name %s: %s and %s", name, c->at[i].path, path);
+        }
+    if (strchr(name, '/') != NULL || name[0] == '.')
+        refuse("%s: a submission cannot have this name", name);
+    c->at = take_one_more(c->at, c->count, sizeof *c->at);
+    c->at[c->count++] = (submission){.name = name, .path = path};
+}
+
+/* A folder with a file of the assignment, or an archive and nothing else, is one submission;
+ * any other holds one in each entry. */
+static bool
+is_class(const assignment *a, const char *path)
+{
+    DIR *d;
+    int entries = 0, archives = 0, folders = 0;
+    if (!is_folder(path) || (d = opendir(path)) == NULL)
+        return false;
+    bool own = access(format("%s/assignment.ini", path), F_OK) == 0;
+    for (size_t f = 0; f < a->files; f++) {
+        const char *name = strrchr(a->file[f], '/');
+        own |= access(format("%s/%s", path, a->file[f]), F_OK) == 0;
+        own |= name != NULL && access(format("%s%s", path, name), F_OK) == 0;
+    }
+    for (struct dirent *e; (e = readdir(d)) != NULL;) {
+        if (e->d_name[0] == '.')
+            continue;
+        entries++;
+        folders += is_folder(format("%s/%s", path, e->d_name));
+        archives += strcmp(name_of(e->d_name), e->d_name) != 0;
+    }
+    closedir(d);
+    return !own && entries > 0 && archives + folders > 0 && !(entries == 1 && archives == 1);
+}
+
+static int
+by_name(const void *a, const void *b)
+{
+    return strcmp(((const submission *)a)->name, ((const submission *)b)->name);
+}
+
+/* The first column of the roster, without its quotes. */
+static void
+add_roster(class *c, const char *path)
+{
+    const char *line = file_bytes(path, NULL);
+    if (line == NULL)
+        refuse("%s: there is no such file", path);
+    while (*line != '\0') {
+        size_t length = strcspn(line, ",;\t\r\n"), all = strcspn(line, "\n");
+        bool quoted = length > 1 && line[0] == '"' && line[length - 1] == '"';
+        if (length > 0)
+            add_submission(c, part_of(line + quoted, length - 2 * (size_t)quoted), NULL);
+        line += all + (line[all] == '\n');
+    }
+}
+
+static class
+find_submissions(const request *r, const assignment *a)
+{
+    class c = {NULL, 0};
+    bool alone = r->path[0] != NULL && r->path[1] == NULL && !is_class(a, r->path[0]);
+    for (char **path = r->path; *path != NULL; path++) {
+        DIR *d = is_class(a, *path) ? opendir(*path) : NULL;
+        if (d == NULL && access(*path, F_OK) != 0)
+            refuse("%s: %s", *path, strerror(errno));
+        if (d == NULL)
+            add_submission(&c, name_of(*path), from_root(*path));
+        for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL;)
+            if (e->d_name[0] != '.')
+                add_submission(&c, name_of(e->d_name),
+                               from_root(format("%s/%s", *path, e->d_name)));
+        if (d != NULL)
+            closedir(d);
+    }
+    if (r->roster != NULL)
+        add_roster(&c, r->roster);
+    qsort(c.at, c.count, sizeof *c.at, by_name);
+    const char *top = r->output != NULL ? from_root(r->output) : format("%s/out", work);
+    for (size_t i = 0; i < c.count; i++)
+        c.at[i].output = alone && r->roster == NULL ? top : format("%s/%s", top, c.at[i].name);
+    return c;
+}
+
+/* ---- The class, a row for each. ---- */
+
+static void
+write_head(FILE *file, const assignment *a)
+{
+    fprintf(file, "submission,score,total,state");
+    for (size_t p = 0; p < a->properties; p++)
+        fprintf(file, ",%s %s", a->property[p].of->exercise, a->property[p].name);
+    putc('\n', file);
+}
+
+static void
+write_row(FILE *file, const assignment *a, const result *r, const char *state)
+{
+    print_csv(file, r->name);
+    if (r->fault != NULL)
+        fprintf(file, ",,%d,infra_error", a->total);
+    else
+        fprintf(file, ",%d,%d,%s", result_score(a, r), a->total, state);
+    for (size_t p = 0; p < a->properties; p++)
+        if (r->fault != NULL)
+            putc(',', file);
+        else
+            fprintf(file, ",%d", mark_earned(&r->mark[p]) ? a->property[p].points : 0);
+    putc('\n', file);
+}
+
+static const char *
+row_path(const grading *g, const submission *s)
+{
+    return format("%s/%s.row", g->work, s->name);
+}
+
+static void
+leave_row(const grading *g, const submission *s, const result *r, const char *state)
+{
+    FILE *file = fopen(row_path(g, s), "w");
+    if (file == NULL)
+        give_up(row_path(g, s));
+    write_row(file, &g->asked, r, state);
+    if (fclose(file) != 0)
+        give_up(row_path(g, s));
+}
+
+/* ---- Grading. ---- */
+
+/* In a process of its own: whatever becomes of one submission, the others are graded. Until
+ * there is a result, and if there is never one, the score is 0. */
+static _Noreturn void
+grade_one(const grading *g, const submission *s)
+{
+    const char *scratch = format("%s/of/%s", g->work, s->name);
+    result r = result_nothing(&g->asked, s->name, s->path == NULL
+        ? "Nothing was handed in." : "It has not been graded: the grader was interrupted.");
+    formats_write(g, &r, s->output);
+    if (s->path != NULL) {
+        make_folder(scratch);
+        r = mark_submission(g, s->name, s->path, scratch, s->output);
+        formats_write(g, &r, s->output);
+    }
+    leave_row(g, s, &r, s->path == NULL ? "missing" : "graded");
+    remove_folder(scratch);
+    _exit(r.fault != NULL ? FAULT : GRADED);
+}
+
+/* A worker that ends otherwise has failed itself. */
+static int
+worker_ended(const grading *g, submission *s, int status)
+{
+    int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    s->worker = 0;
+    if (ended != GRADED && ended != FAULT) {
+        result r = result_nothing(&g->asked, s->name, "");
+        r.fault = format("the process that grades it ended with status %d", status);
+        formats_write(g, &r, s->output);
+        leave_row(g, s, &r, "");
+        ended = FAULT;
+    }
+    return ended;
+}
+
+static int
+grade_all(const grading *g, class *c, int workers)
+{
+    int running = 0, worst = GRADED, status;
+    size_t next = 0;
+    while (next < c->count || running > 0) {
+        if (next < c->count && running < workers) {
+            fflush(NULL);
+            pid_t worker = fork();
+            if (worker < 0)
+                give_up("fork");
+            if (worker == 0)
+                grade_one(g, &c->at[next]);
+            c->at[next++].worker = worker;
+            running++;
+            continue;
+        }
+        pid_t ended = wait(&status);
+        for (size_t i = 0; ended > 0 && i < next; i++)
+            if (c->at[i].worker == ended) {
+                int how = worker_ended(g, &c->at[i], status);
+                worst = how > worst ? how : worst;
+                running--;
+            }
+    }
+    return worst;
+}
+
+static void
+write_csv(const grading *g, const class *c, const char *path)
+{
+    output o;
+    if (output_begin(&o, path) != TRI_OK)
+        give_up(path);
+    write_head(o.file, &g->asked);
+    for (size_t i = 0; i < c->count; i++)
+        fputs(file_bytes(row_path(g, &c->at[i]), NULL), o.file);
+    if (output_commit(&o) != TRI_OK)
+        give_up(path);
+}
+
+static int
+grade_class(const request *r, const char *self)
+{
+    grading g = prepare(r, self);
+    base_prepare(&g);
+    class c = find_submissions(r, &g.asked);
+    make_folder(format("%s/of", g.work));
+    int worst = grade_all(&g, &c, r->workers);
+    if (r->csv != NULL)
+        write_csv(&g, &c, r->csv);
+    for (size_t i = 0; i < c.count; i++) {
+        const char *text = file_bytes(format("%s/result.txt", c.at[i].output), NULL);
+        if (text != NULL && has_word(g.formats, "text", 4))
+            fputs(text, stdout);
+    }
+    return fflush(stdout) == 0 ? worst : 2;
+}
+
+int
+main(int argc, char **argv)
+{
+    umask(022);
+    request r = parse(argc, argv);
+    if (r.pack != NULL && strcmp(r.pack, "gradescope") != 0)
+        refuse("there is no pack %s", r.pack);
+    if (r.pack == NULL && r.viva == NULL)
+        return grade_class(&r, argv[0]);
+
+    grading g = prepare(&r, argv[0]);
+    if (r.pack != NULL)
+        pack_gradescope(g.project, g.base, r.seed_file, r.output);
+    else
+        viva(&g, r.viva, from_root(r.path[0]));
+    return 0;
+}
