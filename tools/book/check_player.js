@@ -85,6 +85,17 @@ function checkPlaces(player, k) {
     !/NaN|Infinity|undefined/.test(player.find(".stage").innerHTML), `step ${k}`);
 }
 
+// At the end a point that is no vertex lies under one at the same place.
+function checkCopies(player) {
+  const discs = player.all(".stage .point");
+  const at = (disc) => ["cx", "cy"].map((c) => disc.firstChild.getAttribute(c)).join(" ");
+  const hidden = discs.filter((disc) => disc.matches(".waiting")).every((copy) =>
+    discs.slice(discs.indexOf(copy)).some((disc) =>
+      disc.matches(".vertex") && at(disc) === at(copy)));
+  expect("of points at one place the vertex is seen", player,
+    hidden || player.trace.steps.length === 0, discs.map(at).join(", "));
+}
+
 // What is taken from the stack was on top of it; above is what was there before.
 function checkStack(player, k, before) {
   const { pop, push } = player.trace.steps[k - 1];
@@ -104,6 +115,7 @@ function checkStack(player, k, before) {
 
 function checkWays(player) {
   const end = player.trace.steps.length, forward = [player.looks()];
+  const sameAs = (k) => player.looks() === forward[k] && player.position() === k;
   expect("before the first step there is no edge and no line is lit", player,
     player.drawn("") === "" && player.lit().length === 0 && player.position() === 0,
     player.drawn(""));
@@ -115,15 +127,15 @@ function checkWays(player) {
     checkPlaces(player, k);
     checkStack(player, k, stack);
   }
-  player.press("forward");
   expect("forward to the end gives the edges of the triangulation", player,
-    player.drawn(":not(.gone)") === player.expected,
-    `${player.drawn(":not(.gone)")}, not ${player.expected}`);
-  const sameAs = (k) => player.looks() === forward[k] && player.position() === k;
+    player.drawn(":not(.gone)") === player.expected && sameAs(end),
+    `step ${player.position()}: ${player.drawn(":not(.gone)")}, not ${player.expected}`);
+  checkCopies(player);
   const everyStep = (go) => forward.every((_, i) => (go(i), sameAs(i)));
   expect("the scrubber leads to the same as Forward", player,
     everyStep((k) => player.scrubTo(k)), `at step ${player.position()}`);
-  let back = true;
+  player.press("forward");
+  let back = sameAs(end);
   for (let k = end - 1; k >= 0; k--) {
     player.press("back");
     back &&= sameAs(k);
@@ -131,6 +143,9 @@ function checkWays(player) {
   player.press("back");
   expect("Back leads through the same steps to the beginning", player,
     back && sameAs(0) && player.drawn("") === "", player.drawn(""));
+  player.press("forward");
+  expect("beyond the ends there is nothing", player, back && sameAs(Math.min(1, end)),
+    `step ${player.position()}`);
   player.press("last");
   expect("Last and First lead to the ends", player,
     sameAs(end) && (player.press("first"), sameAs(0)), `step ${player.position()}`);
@@ -183,6 +198,9 @@ function checkPredictions(player) {
     expect("it asks before each flip, about the edges that are there", player,
       names === player.drawn("") && names.split(" ").includes(answer) &&
       player.sentence().includes("?") && player.lit().length === 0, names);
+    expect("it asks while the answer still lies on the stack", player,
+      !player.trace.steps.some((step) => step.push) || player.stack().includes(answer),
+      `${answer} at step ${player.position()}`);
     choices[0].focus();
     expect("while it asks the edges can be reached and have names", player,
       document.activeElement === choices[0] &&
@@ -253,6 +271,27 @@ async function checkPlaying(players) {
       `step ${player.position()}`);
 }
 
+// ---- On paper. ----
+
+// Puts the rules for paper into force on the screen.
+function checkPaper(players) {
+  const paper = document.createElement("style");
+  for (const { media, cssRules } of [...document.styleSheets].flatMap((s) => [...s.cssRules]))
+    if (media?.mediaText === "print")
+      paper.append(...[...cssRules].map((rule) => rule.cssText));
+  document.head.append(paper);
+  for (const player of players) {
+    const visible = [...player.root.children].filter((part) => part.offsetHeight > 0);
+    const edges = player.all(".printed svg:last-child .edge");
+    expect("on paper there are two pictures, and no buttons", player,
+      visible.length === 1 && visible[0].matches(".printed") &&
+      player.all(".printed svg").length === 2 && player.expected ===
+        edges.map((line) => line.dataset.edge).sort().join(" "),
+      visible.map((part) => part.className).join(" "));
+  }
+  paper.remove();
+}
+
 // ---- On a phone. ----
 
 // Opens a page of the book in a frame 360 pixels wide.
@@ -307,11 +346,12 @@ async function checkAll() {
     checkCalm(player);
   }
   await checkPlaying(players);
+  checkPaper(players);
   await checkPages();
   const report = document.createElement("pre");
   for (const [sentence, { players, failure }] of sentences)
     report.append(failure ? `\nnot ok - player: ${sentence}\n  ${failure}`
-      : `\nok     - player: ${sentence} (${players.size} players)`);
+      : `\nok     - player: ${sentence} (${players.size} seen)`);
   report.append("\nplayers were checked\n");
   document.body.replaceChildren(report);
 }

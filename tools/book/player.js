@@ -11,7 +11,7 @@ const keyTo = (style, meaning) => `<span><svg class="picture" viewBox="0 0 34 14
   <line class="${style}" x1="6" x2="28" y1="7" y2="7"/></svg> ${meaning}</span>`;
 
 const SKELETON = `
-  <div class="stage"><svg class="picture" role="group"></svg></div>
+  <div class="stage"><svg class="picture"></svg></div>
   <p class="say" aria-live="polite"></p>
   <div class="controls">
     <div class="buttons">
@@ -86,6 +86,7 @@ function makePlayer(root) {
     const focused = svg.contains(document.activeElement);
     drawState(svg, trace, layout, k, open !== null);
     if (open) drawChoices(svg, layout, stateAfter(trace, k).edges);
+    svg.setAttribute("role", open ? "group" : "img");
     svg.setAttribute("aria-label", `The points and edges after ${k} of ${end} steps`);
     if (focused) root.focus(); // what had the focus is no longer there
   }
@@ -145,6 +146,7 @@ function makePlayer(root) {
   function ask(question) {
     open = question;
     show();
+    if (root.contains(document.activeElement)) root.focus(); // Tab now leads to the edges
     const flips = (trace.steps[question.flip].add ?? []).length > 0;
     say(`Which edge ${flips ? "flips" : "is taken away"} next? Click it, or go there ` +
       "with Tab and press Enter. Forward tells.");
