@@ -14,14 +14,29 @@
 
 #include <stdlib.h>
 
+static const char *const locator_name[] = {"walk", "buckets", "history", "grid"};
+
+/* What some of the algorithms take and the result must not depend on. */
+static tri_options
+random_options(void)
+{
+    random_source *r = test_random_source();
+    tri_options options = tri_options_default();
+    options.locator = (tri_locator)random_below(r, TRI_LOCATOR_GRID + 1);
+    options.cuts = (tri_cuts)random_below(r, TRI_CUTS_ALTERNATING + 1);
+    options.seed = random_bits(r);
+    return options;
+}
+
 /* The algorithm's mesh, which is certified by Theorem 3. */
 static mesh
 certified(const algorithm *a, const point2 *points, uint32_t n)
 {
     mesh m;
-    tri_status status = a->triangulate(points, n, NULL, &m);
-    CLAIM("def8.P5", status == TRI_OK, "%s: %s", a->name,
-          tri_status_text(status));
+    tri_options options = random_options();
+    tri_status status = a->triangulate(points, n, &options, &m);
+    CLAIM("def8.P5", status == TRI_OK, "%s, cuts %d, locator %s: %s", a->name,
+          (int)options.cuts, locator_name[options.locator], tri_status_text(status));
     claim_verdict("def8.P5", mesh_check(&m));
     triangle_list list;
     verdict v;

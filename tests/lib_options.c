@@ -67,6 +67,19 @@ bad_options_are_refused(void)
     options = tri_options_default();
     options.threads = 0;
     expect(TRI_BAD_OPTION, NULL, 0, &options);
+    for (int i = TRI_CUTS_VERTICAL - 1; i <= TRI_CUTS_ALTERNATING + 1; i++) {
+        bool known = i == TRI_CUTS_VERTICAL || i == TRI_CUTS_ALTERNATING;
+        options = tri_options_default();
+        options.cuts = (tri_cuts)i;
+        expect(known ? TRI_OK : TRI_BAD_OPTION, NULL, 0, &options);
+    }
+    for (int i = TRI_LOCATOR_WALK - 1; i <= TRI_LOCATOR_GRID + 1; i++) {
+        bool known = i == TRI_LOCATOR_WALK || i == TRI_LOCATOR_BUCKETS ||
+                     i == TRI_LOCATOR_HISTORY || i == TRI_LOCATOR_GRID;
+        options = tri_options_default();
+        options.locator = (tri_locator)i;
+        expect(known ? TRI_OK : TRI_BAD_OPTION, NULL, 0, &options);
+    }
     options = tri_options_default();
     options.size--;
     expect(TRI_BAD_OPTION, NULL, 0, &options);
