@@ -1,55 +1,92 @@
-/* bench.c - how long do the algorithms take, compared with sorting the same points?
+/* bench.c - how long do the algorithms take, compared with sorting the same points, and
+ * with what others have made?
  *
- *     bench [-r RUNS] [-t SECONDS] [-o FOLDER] [N | DISTRIBUTION | ALGORITHM]...
- *
- * Words that are left out mean: 5 runs, at most 30 seconds each, build/bench; 100000
- * and 1000000 points, all distributions of `tri generate`, all algorithms that can
- * be waited for. Run it in the root of the project.
- *
- * Every run is a process of its own. An algorithm and the yardstick take turns,
- * A B A B, so that a machine that becomes slower is slower for both. A number in
- * the table is the time of the algorithm over that of the sort: the least of each,
- * then the median of each. FOLDER/bench.csv has the times themselves.
- *
- * Exit status: 0 all has been measured or stopped at the limit; 1 an algorithm has
- * failed; 2 the program cannot run.
+ * Run it in the root of the project: `build/bench/bench --help` says how.
  */
-#include "lib/memory.h"
-#include "tools/bench/measure.h"
-#include "tools/tri/tri.h"
+#include "tools/bench/bench.h"
 
+#include "lib/binary.h"
+#include "lib/memory.h"
+
+#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_RUNS = 99, MOST_SIZES = 8, MOST_ALGORITHMS = 16 };
-
 static const char usage[] =
-    "usage: bench [-r RUNS] [-t SECONDS] [-o FOLDER] "
-    "[N | DISTRIBUTION | ALGORITHM]...\n";
+    "usage: bench [-r RUNS] [-s SECONDS] [-t SECONDS] [-o FOLDER]\n"
+    "             [SIZE | DISTRIBUTION | NAME]...\n"
+    "\n"
+    "Times of the algorithms, and of the peers in FOLDER/peers, on points of several\n"
+    "distributions, beside those of sorting the points.\n"
+    "  -r RUNS     at most so many runs of each (5 if not given)\n"
+    "  -s SECONDS  no further run of one that has taken so long in all (2)\n"
+    "  -t SECONDS  a run is stopped after that (10)\n"
+    "  -o FOLDER   for bench.csv, growth.svg and ratios.svg (build/bench)\n"
+    "  SIZE        how many points: 1000 10000 100000 1000000 if none is given\n"
+    "  DISTRIBUTION, NAME   only these, of those below\n"
+    "\n"
+    "Every run is a process of its own. All take turns. What counts is the processor\n"
+    "time of the program itself (user), the least of all runs; the median and the time\n"
+    "on the wall stand beside it. Answers are certified, off the clock, in the first\n"
+    "run; the memory is what is held beyond the points, per point.\n"
+    "At the end a line PASS or FAIL for each of the project's aims.\n"
+    "\n"
+    "Exit status: 0 all has been measured, or stopped at a limit; 1 an algorithm has\n"
+    "failed or is wrong (a peer may: then its line says so); 2 the program cannot run.\n";
 
-typedef struct plan {
-    unsigned runs, seconds;
-    const char *folder;
-    uint32_t size[MOST_SIZES];
-    int sizes;
-    const distribution *only_distribution; /* NULL: all */
-    const algorithm *only_algorithm;       /* NULL: all */
-    FILE *csv;
-} plan;
-
-_Noreturn static void
-refuse(const char *what, const char *which)
+_Noreturn void
+refuse(const char *sentence, const char *which)
 {
-    fprintf(stderr, "bench: %s %s\n%s", what, which, usage);
+    fprintf(stderr, "bench: %s %s\n`bench --help` tells more\n", sentence, which);
     exit(2);
 }
 
-/* ---- Least and median. ---- */
+/* ---- Small things that all parts need. ---- */
 
-typedef struct summary {
-    double least, median;
-} summary;
+const algorithm *
+subject(void)
+{
+    const algorithm *last = contents_find("fast");
+    for (uint32_t i = 0; i < contents_count && last == NULL; i++)
+        if (contents[contents_count - 1 - i].delaunay)
+            last = &contents[contents_count - 1 - i];
+    return last;
+}
+
+int
+find_contender(const bench *b, const char *name)
+{
+    for (int c = 0; c < b->contenders; c++)
+        if (strcmp(b->contender[c].name, name) == 0)
+            return c;
+    return -1;
+}
+
+static const cell *
+find_cell_in_state(const bench *b, uint32_t n, const char *input, const char *name,
+                   cell_state state)
+{
+    int c = find_contender(b, name);
+    for (int s = 0; s < b->sizes && c >= 0; s++)
+        for (int i = 0; i < b->inputs; i++)
+            if (b->size[s] == n && strcmp(b->input[i]->name, input) == 0 &&
+                b->cell[s][i][c].state == state)
+                return &b->cell[s][i][c];
+    return NULL;
+}
+
+const cell *
+find_cell(const bench *b, uint32_t n, const char *input, const char *name)
+{
+    return find_cell_in_state(b, n, input, name, CELL_MEASURED);
+}
+
+bool
+was_stopped(const bench *b, uint32_t n, const char *input, const char *name)
+{
+    return find_cell_in_state(b, n, input, name, CELL_TOO_LONG) != NULL;
+}
 
 static int
 compare_numbers(const void *p, const void *q)
@@ -58,149 +95,126 @@ compare_numbers(const void *p, const void *q)
     return (a > b) - (a < b);
 }
 
-static summary
+summary
 summarize(double *v, unsigned count)
 {
     qsort(v, count, sizeof *v, compare_numbers);
     return (summary){v[0], (v[(count - 1) / 2] + v[count / 2]) / 2};
 }
 
-/* ---- One algorithm on one set of points. ---- */
-
-typedef struct cell {
-    run_end end;
-    summary ours, sort;
-    double bytes_per_point; /* the most of all runs; negative when not known */
-} cell;
-
-static cell
-measure_turns(const plan *p, const algorithm *a, const point2 *points, uint32_t n)
+point2 *
+make_points(const distribution *d, uint32_t n)
 {
-    double ours[MOST_RUNS], sort[MOST_RUNS];
-    cell c = {.end = RUN_DONE, .bytes_per_point = -1};
-    for (unsigned i = 0; i < p->runs; i++) {
-        run r = measure(a, points, n, p->seconds);
-        if (r.end != RUN_DONE)
-            return (cell){.end = r.end, .bytes_per_point = -1};
-        ours[i] = r.seconds;
-        if (r.bytes / n > c.bytes_per_point)
-            c.bytes_per_point = r.bytes / n;
-        r = measure(NULL, points, n, p->seconds);
-        if (r.end != RUN_DONE)
-            refuse("the yardstick has not ended well:", "more seconds?");
-        sort[i] = r.seconds;
-    }
-    c.ours = summarize(ours, p->runs);
-    c.sort = summarize(sort, p->runs);
-    return c;
-}
-
-/* The row's share of the table: two ratios, and all there is in bench.csv. */
-static void
-print_cell(const plan *p, const char *of, const algorithm *a, uint32_t n,
-           const cell *c)
-{
-    char text[32];
-    static const char *const ends[] = {"done", "too long", "failed"};
-    fprintf(p->csv, "%s,%lu,%s,%s,%u", of, (unsigned long)n, a->name, ends[c->end],
-            p->runs);
-    if (c->end == RUN_DONE) {
-        double least = c->ours.least / c->sort.least;
-        double median = c->ours.median / c->sort.median;
-        snprintf(text, sizeof text, "%.2f %.2f", least, median);
-        fprintf(p->csv, ",%.6f,%.6f,%.6f,%.6f,%.3f,%.3f,", c->ours.least,
-                c->ours.median, c->sort.least, c->sort.median, least, median);
-        if (c->bytes_per_point >= 0)
-            fprintf(p->csv, "%.0f", c->bytes_per_point);
-    } else {
-        if (c->end == RUN_TOO_LONG)
-            snprintf(text, sizeof text, "over %u s", p->seconds);
-        else
-            snprintf(text, sizeof text, "failed");
-        fputs(",,,,,,,", p->csv);
-    }
-    fputc('\n', p->csv);
-    fflush(p->csv);
-    printf(" %15s", text);
-    fflush(stdout);
-}
-
-/* ---- One table for each number of points. ---- */
-
-/* The algorithms that can be waited for with n points; returns how many. */
-static int
-choose_columns(const plan *p, uint32_t n, const algorithm **column)
-{
-    int columns = 0;
-    for (uint32_t i = 0; i < contents_count && columns < MOST_ALGORITHMS; i++)
-        if (n <= contents[i].most && (p->only_algorithm == NULL ||
-                                      p->only_algorithm == &contents[i]))
-            column[columns++] = &contents[i];
-    return columns;
-}
-
-/* Returns whether nothing has failed. */
-static bool
-print_table(const plan *p, uint32_t n)
-{
-    const algorithm *column[MOST_ALGORITHMS];
-    double bytes[MOST_ALGORITHMS];
-    bool well = true;
-    int columns = choose_columns(p, n, column);
     point2 *points = memory_array(n, sizeof *points);
     if (points == NULL)
         refuse("there is no memory for", "so many points");
+    random_source source = random_from_seed(1);
+    d->fill(points, n, &source);
+    return points;
+}
 
-    printf("\n%lu points\n%-11s", (unsigned long)n, "");
-    for (int k = 0; k < columns; k++) {
-        bytes[k] = -1;
-        printf(" %15s", column[k]->name);
+void
+write_point_file(const char *path, const point2 *points, uint32_t n)
+{
+    output o = {0};
+    if (output_begin(&o, path) != TRI_OK)
+        refuse("cannot write", path);
+    binary_write_points(o.file, points, n);
+    if (output_commit(&o) != TRI_OK)
+        refuse("cannot write", path);
+}
+
+/* ---- Who takes part. ---- */
+
+static contender *
+add_contender(bench *b, const char *name)
+{
+    if (b->contenders == MOST_CONTENDERS)
+        refuse("there are too many to compare with", name);
+    contender *c = &b->contender[b->contenders++];
+    *c = (contender){.algorithm = NULL};
+    snprintf(c->name, sizeof c->name, "%s", name);
+    return c;
+}
+
+/* The yardstick, the algorithms, the peers that are there. */
+static void
+find_contenders(bench *b)
+{
+    char pattern[300];
+    glob_t files;
+    add_contender(b, "yardstick")->sorts = true;
+    for (uint32_t i = 0; i < contents_count; i++)
+        add_contender(b, contents[i].name)->algorithm = &contents[i];
+    snprintf(pattern, sizeof pattern, "%s/peers/*", b->folder);
+    if (glob(pattern, 0, NULL, &files) != 0)
+        return;
+    for (size_t i = 0; i < files.gl_pathc; i++) {
+        const char *path = files.gl_pathv[i], *name = strrchr(path, '/') + 1;
+        if (strchr(name, '.') != NULL || access(path, X_OK) != 0)
+            continue; /* no program */
+        contender *c = add_contender(b, name);
+        c->sorts = strcmp(name, "std_sort") == 0;
+        snprintf(c->program, sizeof c->program, "%s", path);
     }
-    for (const distribution *d = distributions; d->name != NULL; d++) {
-        if (p->only_distribution != NULL && p->only_distribution != d)
-            continue;
-        random_source source = random_from_seed(1);
-        d->fill(points, n, &source);
-        printf("\n%-11s", d->name);
-        for (int k = 0; k < columns; k++) {
-            cell c = measure_turns(p, column[k], points, n);
-            print_cell(p, d->name, column[k], n, &c);
-            well = well && c.end != RUN_FAILED;
-            if (c.bytes_per_point > bytes[k])
-                bytes[k] = c.bytes_per_point;
-        }
-    }
-    printf("\n%-11s", "bytes/point");
-    for (int k = 0; k < columns; k++)
-        if (bytes[k] >= 0)
-            printf(" %15.0f", bytes[k]);
-        else
-            printf(" %15s", "-");
-    putchar('\n');
-    memory_free(points);
-    return well;
+    globfree(&files);
 }
 
 /* ---- What is asked. ---- */
 
-/* Reads a word that is no option into the plan. */
-static void
-read_word(plan *p, const char *word)
+/* What words have named: all of a kind if none has been. */
+typedef struct named {
+    bool distribution[MOST_INPUTS], contender[MOST_CONTENDERS];
+    int distributions, contenders;
+} named;
+
+static bool
+name_size(bench *b, const char *word)
 {
     char *end;
     unsigned long n = strtoul(word, &end, 10);
-    if (*end == '\0' && n >= 1 && n < UINT32_MAX && p->sizes < MOST_SIZES) {
-        p->size[p->sizes++] = (uint32_t)n;
+    if (*end != '\0' || n < 1 || n >= UINT32_MAX || b->sizes == MOST_SIZES)
+        return false;
+    int at = b->sizes++;
+    for (; at > 0 && b->size[at - 1] > n; at--)
+        b->size[at] = b->size[at - 1];
+    b->size[at] = (uint32_t)n;
+    return true;
+}
+
+static void
+read_word(bench *b, named *names, const char *word)
+{
+    if (name_size(b, word))
         return;
-    }
-    for (const distribution *d = distributions; d->name != NULL; d++)
-        if (strcmp(d->name, word) == 0) {
-            p->only_distribution = d;
+    for (int i = 0; distributions[i].name != NULL; i++)
+        if (strcmp(distributions[i].name, word) == 0) {
+            names->distribution[i] = true;
+            names->distributions++;
             return;
         }
-    p->only_algorithm = contents_find(word);
-    if (p->only_algorithm == NULL)
-        refuse("there is no size, distribution or algorithm", word);
+    int c = find_contender(b, word);
+    if (c < 0)
+        refuse("there is no size, distribution, algorithm or peer", word);
+    names->contender[c] = true;
+    names->contenders++;
+}
+
+/* Sorts are always there. */
+static void
+keep_named(bench *b, const named *names)
+{
+    int kept = 0;
+    for (int c = 0; c < b->contenders; c++)
+        if (names->contenders == 0 || names->contender[c] || b->contender[c].sorts)
+            b->contender[kept++] = b->contender[c];
+    b->contenders = kept;
+    for (int i = 0; distributions[i].name != NULL && i < MOST_INPUTS; i++)
+        if (names->distributions == 0 || names->distribution[i])
+            b->input[b->inputs++] = &distributions[i];
+    if (b->sizes == 0)
+        for (uint32_t n = 1000; n <= 1000000; n *= 10)
+            b->size[b->sizes++] = n;
 }
 
 static unsigned
@@ -213,45 +227,71 @@ read_count(const char *text, unsigned long most)
     return (unsigned)n;
 }
 
-static plan
-read_plan(int argc, char **argv)
+static void
+print_help(const bench *b)
 {
-    plan p = {.runs = 5, .seconds = 30, .folder = "build/bench"};
-    for (int option; (option = getopt(argc, argv, "r:t:o:")) != -1;)
+    printf("%s\nDistributions:\n", usage);
+    for (const distribution *d = distributions; d->name != NULL; d++)
+        printf("  %-11s %s\n", d->name, d->summary);
+    printf("\nNames (std_sort and what follows are programs in %s/peers):\n", b->folder);
+    for (int c = 0; c < b->contenders; c++)
+        printf("  %-12s %s\n", b->contender[c].name,
+               b->contender[c].algorithm != NULL ? b->contender[c].algorithm->summary : "");
+}
+
+static void
+read_arguments(bench *b, int argc, char **argv)
+{
+    named names = {.contenders = 0};
+    bool help = false;
+    for (int i = 1; i < argc; i++)
+        help = help || strcmp(argv[i], "--help") == 0;
+    for (int option; !help && (option = getopt(argc, argv, "hr:s:t:o:")) != -1;)
         if (option == 'r')
-            p.runs = read_count(optarg, MOST_RUNS);
+            b->runs = read_count(optarg, MOST_RUNS);
+        else if (option == 's')
+            b->spend = read_count(optarg, 86400);
         else if (option == 't')
-            p.seconds = read_count(optarg, 86400);
+            b->seconds = read_count(optarg, 86400);
         else if (option == 'o')
-            p.folder = optarg;
+            b->folder = optarg;
+        else if (option == 'h')
+            help = true;
         else
-            refuse("the options are", "-r, -t and -o");
-    while (optind < argc)
-        read_word(&p, argv[optind++]);
-    if (p.sizes == 0) {
-        p.size[p.sizes++] = 100000;
-        p.size[p.sizes++] = 1000000;
+            refuse("the options are", "-r, -s, -t and -o");
+    find_contenders(b);
+    if (help) {
+        print_help(b);
+        exit(0);
     }
-    return p;
+    while (optind < argc)
+        read_word(b, &names, argv[optind++]);
+    keep_named(b, &names);
 }
 
 int
 main(int argc, char **argv)
 {
-    char path[512];
+    static bench b = {.runs = 5, .spend = 2, .seconds = 10, .folder = "build/bench"};
+    char path[400];
     bool well = true;
-    plan p = read_plan(argc, argv);
-    snprintf(path, sizeof path, "%s/bench.csv", p.folder);
-    p.csv = fopen(path, "w");
-    if (p.csv == NULL)
+    read_arguments(&b, argc, argv);
+    snprintf(path, sizeof path, "%s/bench.csv", b.folder);
+    b.csv = fopen(path, "w");
+    if (b.csv == NULL)
         refuse("cannot write", path);
-    fputs("distribution,points,algorithm,end,runs,least,median,sort_least,"
-          "sort_median,ratio,ratio_of_medians,bytes_per_point\n", p.csv);
+    fputs("distribution,points,name,state,runs,user_least,user_median,processor_least,"
+          "processor_median,wall_least,wall_median,over_yardstick,"
+          "over_yardstick_median,over_std_sort,over_std_sort_median,bytes_per_point,"
+          "answer\n", b.csv);
 
-    printf("%u runs each; processor time over that of the yardstick: least, median\n",
-           p.runs);
-    for (int i = 0; i < p.sizes; i++)
-        well = print_table(&p, p.size[i]) && well;
-    printf("\nthe times themselves: %s\n", path);
-    return fclose(p.csv) == 0 && well ? 0 : 1;
+    for (int s = 0; s < b.sizes; s++)
+        for (int i = 0; i < b.inputs; i++)
+            well = measure_block(&b, s, i) && well;
+    for (int s = 0; s < b.sizes; s++)
+        print_summary(&b, s);
+    draw_plots(&b);
+    print_targets(&b);
+    printf("\nall numbers: %s; plots beside it\n", path);
+    return fclose(b.csv) == 0 && well ? 0 : 1;
 }

@@ -1,10 +1,11 @@
-/* measure.c - one run of an algorithm, in a process of its own. */
+/* measure.c - a run is a child process; what it has seen comes back through a pipe. */
 #include "tools/bench/measure.h"
 
 #include "lib/memory.h"
 #include "tools/bench/yardstick.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,59 +15,17 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Processor time of this process. */
-static double
-processor_seconds(void)
-{
-    struct timespec t;
-    if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t) != 0) {
-        perror("bench: clock_gettime");
-        exit(2);
-    }
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+/* ---- What the child does. ---- */
 
-/* What Linux says of this process in the line that begins with `name`, in bytes;
- * -1 where there is no such file. (getrusage tells the peak in units that differ
- * between systems.) */
-static double
-memory_said(const char *name)
-{
-    double kilobytes = -1;
-    char line[256];
-    FILE *file = fopen("/proc/self/status", "r");
-    if (file == NULL)
-        return -1;
-    while (fgets(line, sizeof line, file) != NULL)
-        if (strncmp(line, name, strlen(name)) == 0)
-            kilobytes = strtod(line + strlen(name), NULL);
-    fclose(file);
-    return kilobytes < 0 ? -1 : 1024 * kilobytes;
-}
-
-/* A yardstick that does not sort would measure nothing. */
-static bool
-is_sorted(const point2 *p, uint32_t n)
-{
-    for (uint32_t i = 1; i < n; i++)
-        if (p[i].x < p[i - 1].x || (p[i].x == p[i - 1].x && p[i].y < p[i - 1].y))
-            return false;
-    return true;
-}
-
-/* Some clocks of processor time tick every hundredth of a second: short work is
- * done again until it has taken LEAST_SECONDS. Sorting needs a new copy each time, and
- * all are made before the clock starts; there are COPIED_POINTS to sort. */
-static const double LEAST_SECONDS = 0.3;
+/* A sort needs a new copy of the points for each round; all are made before the clock
+ * starts, and are this many points together, or one copy. */
 enum { COPIED_POINTS = 4000000 };
 
-/* What the child does. */
 static run
-run_here(const algorithm *a, const point2 *points, uint32_t n)
+sort_here(const point2 *points, uint32_t n)
 {
     run r = {.end = RUN_FAILED};
-    mesh m = {0};
-    size_t rounds = 0, most = 1 + COPIED_POINTS / n;
+    size_t most = 1 + COPIED_POINTS / n, round = 0;
     point2 *copy = memory_array(most * n, sizeof *copy);
     if (copy == NULL) {
         fprintf(stderr, "bench: %s\n", tri_status_text(TRI_OUT_OF_MEMORY));
@@ -74,32 +33,42 @@ run_here(const algorithm *a, const point2 *points, uint32_t n)
     }
     for (size_t i = 0; i < most; i++)
         memcpy(copy + i * n, points, n * sizeof *copy);
-
-    double held = memory_said("VmRSS:");
-    double start = processor_seconds(), passed;
+    stopwatch w = stopwatch_start(stopwatch_least(n), most);
     do {
-        tri_status status = TRI_OK;
-        if (a == NULL)
-            yardstick_sort(copy + rounds * n, n);
-        else
-            status = a->triangulate(copy + rounds * n, n, NULL, &m);
-        mesh_free(&m);
-        if (status != TRI_OK) {
-            fprintf(stderr, "bench: %s: %s\n", a->name, tri_status_text(status));
-            return r;
-        }
-        rounds++;
-        passed = processor_seconds() - start;
-    } while (rounds < most && passed < LEAST_SECONDS);
-    if (a == NULL && !is_sorted(copy, n)) {
-        fprintf(stderr, "bench: the yardstick does not sort\n");
-        return r;
-    }
+        yardstick_sort(copy + round++ * n, n);
+    } while (stopwatch_again(&w));
+    r.times = stopwatch_stop(&w);
+    r.answer = certify_sorted(copy, n);
     r.end = RUN_DONE;
-    r.seconds = passed / (double)rounds;
-    r.bytes = held < 0 ? -1 : memory_said("VmHWM:") - held;
     return r;
 }
+
+/* The mesh of a round is freed in the next one: the last one is there to be certified. */
+static run
+triangulate_here(const algorithm *a, const tri_options *options, const point2 *points,
+                 uint32_t n, bool certify)
+{
+    run r = {.end = RUN_FAILED};
+    mesh m = {0};
+    tri_status status;
+    stopwatch w = stopwatch_start(stopwatch_least(n), SIZE_MAX);
+    do {
+        mesh_free(&m);
+        status = a->triangulate(points, n, options, &m);
+    } while (status == TRI_OK && stopwatch_again(&w));
+    if (status == TRI_OK) {
+        r.times = stopwatch_stop(&w);
+        r.end = RUN_DONE;
+        triangle_list list;
+        if (certify && (status = mesh_triangles(&m, &list)) == TRI_OK)
+            r.answer = certify_triangles(points, n, list, a->delaunay);
+    }
+    if (status != TRI_OK)
+        fprintf(stderr, "bench: %s: %s\n", a->name, tri_status_text(status));
+    return r;
+}
+
+/* ---- Processes. ---- */
 
 _Noreturn static void
 give_up(const char *what)
@@ -108,41 +77,153 @@ give_up(const char *what)
     exit(2);
 }
 
-/* Why did the child end, from which nothing was heard? */
+/* The child gets a limit on its processor time, and one on the wall for those that
+ * wait for something. What it writes into *to_parent can be read from the result. */
+static int
+begin_child(pid_t *child, unsigned seconds, int *to_parent)
+{
+    int ends[2];
+    fflush(NULL); /* or both would write what is in the buffers */
+    if (pipe(ends) != 0)
+        give_up("pipe");
+    *child = fork();
+    if (*child < 0)
+        give_up("fork");
+    if (*child == 0) {
+        struct rlimit limit = {seconds, seconds + 1}; /* the signal, then the end */
+        setrlimit(RLIMIT_CPU, &limit);
+        alarm(10 * seconds);
+        close(ends[0]);
+        *to_parent = ends[1];
+        return -1;
+    }
+    close(ends[1]);
+    return ends[0];
+}
+
+/* How has the child ended? */
 static run_end
-silent_end(pid_t child)
+end_of(pid_t child)
 {
     int status;
-    if (waitpid(child, &status, 0) != child)
-        give_up("waitpid");
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    while (waitpid(child, &status, 0) != child)
+        if (errno != EINTR)
+            give_up("waitpid");
+    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU ||
+                                WTERMSIG(status) == SIGALRM))
         return RUN_TOO_LONG;
     if (WIFSIGNALED(status))
         fprintf(stderr, "bench: stopped by signal %d\n", WTERMSIG(status));
-    return RUN_FAILED;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? RUN_DONE : RUN_FAILED;
+}
+
+/* All that the child writes, up to `room` bytes. */
+static size_t
+read_all(int from, char *bytes, size_t room)
+{
+    size_t size = 0;
+    ssize_t more;
+    while (size < room && (more = read(from, bytes + size, room - size)) != 0) {
+        if (more > 0)
+            size += (size_t)more;
+        else if (errno != EINTR)
+            give_up("read");
+    }
+    close(from);
+    return size;
 }
 
 run
-measure(const algorithm *a, const point2 *points, uint32_t n, unsigned seconds)
+measure(const algorithm *a, const tri_options *options, const point2 *points,
+        uint32_t n, unsigned seconds, bool certify)
 {
-    int ends[2];
-    run r = {.end = RUN_FAILED};
-    if (pipe(ends) != 0)
-        give_up("pipe");
-    pid_t child = fork();
-    if (child < 0)
-        give_up("fork");
-    if (child == 0) {
-        struct rlimit limit = {seconds, seconds + 1}; /* the signal, then the end */
-        setrlimit(RLIMIT_CPU, &limit);
-        r = run_here(a, points, n);
-        _exit(write(ends[1], &r, sizeof r) == sizeof r ? 0 : 2);
+    run r;
+    pid_t child;
+    int to_parent;
+    int from = begin_child(&child, seconds, &to_parent);
+    if (from < 0) {
+        r = a == NULL ? sort_here(points, n)
+                      : triangulate_here(a, options, points, n, certify);
+        _exit(write(to_parent, &r, sizeof r) == sizeof r ? 0 : 2);
     }
-    close(ends[1]);
-    bool heard = read(ends[0], &r, sizeof r) == sizeof r;
-    close(ends[0]);
-    run_end end = silent_end(child);
-    if (!heard)
-        r.end = end;
+    bool heard = read_all(from, (char *)&r, sizeof r) == sizeof r;
+    run_end end = end_of(child);
+    return heard && end == RUN_DONE ? r : (run){.end = heard ? r.end : end};
+}
+
+/* Reads `user processor wall bytes right text`, the line of a peer. */
+static bool
+read_line(const char *line, run *r)
+{
+    int right, length = 0;
+    int found = sscanf(line, "%lf %lf %lf %lf %d %n", &r->times.user,
+                       &r->times.processor, &r->times.wall, &r->times.bytes, &right,
+                       &length);
+    if (found != 5 || length == 0 || line[strlen(line) - 1] != '\n')
+        return false;
+    r->answer.right = right != 0;
+    snprintf(r->answer.text, sizeof r->answer.text, "%.*s",
+             (int)strcspn(line + length, "\n"), line + length);
+    return r->times.user >= 0 && r->times.wall > 0;
+}
+
+run
+measure_peer(const char *program, const char *points, unsigned seconds, bool certify)
+{
+    char line[400];
+    pid_t child;
+    int to_parent;
+    int from = begin_child(&child, seconds, &to_parent);
+    if (from < 0) {
+        if (dup2(to_parent, STDOUT_FILENO) >= 0)
+            execl(program, program, points, certify ? "certify" : (char *)NULL,
+                  (char *)NULL);
+        _exit(2);
+    }
+    line[read_all(from, line, sizeof line - 1)] = '\0';
+    run r = {.end = end_of(child)};
+    if (r.end != RUN_DONE || read_line(line, &r))
+        return r;
+    fprintf(stderr, "bench: %s has not said what it has done\n", program);
+    return (run){.end = RUN_FAILED};
+}
+
+static times
+times_of_children(void)
+{
+    struct rusage used;
+    struct timespec wall;
+    if (getrusage(RUSAGE_CHILDREN, &used) != 0 ||
+        clock_gettime(CLOCK_MONOTONIC, &wall) != 0)
+        give_up("clock");
+    times t = {.bytes = -1};
+    t.user = (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+    t.processor =
+        t.user + (double)used.ru_stime.tv_sec + 1e-6 * (double)used.ru_stime.tv_usec;
+    t.wall = (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec;
+    return t;
+}
+
+run
+measure_program(const char *const *arguments, const char *said, unsigned seconds)
+{
+    char ignored[1];
+    pid_t child;
+    int to_parent;
+    times before = times_of_children();
+    int from = begin_child(&child, seconds, &to_parent);
+    if (from < 0) {
+        int file = open(said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        close(to_parent);
+        if (file >= 0 && dup2(file, STDOUT_FILENO) >= 0 &&
+            dup2(file, STDERR_FILENO) >= 0)
+            execvp(arguments[0], (char *const *)(uintptr_t)arguments);
+        _exit(2);
+    }
+    read_all(from, ignored, sizeof ignored);
+    run r = {.end = end_of(child), .times = times_of_children()};
+    r.times.user -= before.user;
+    r.times.processor -= before.processor;
+    r.times.wall -= before.wall;
     return r;
 }

@@ -1,11 +1,13 @@
-/* measure.h - one run of an algorithm, in a process of its own.
+/* measure.h - one run of an algorithm or of another program, in a process of its own.
  *
- * Needs: chapters/contents.h.
+ * Needs: chapters/contents.h, tools/bench/certify.h, tools/bench/stopwatch.h.
  */
 #ifndef TOOLS_BENCH_MEASURE_H
 #define TOOLS_BENCH_MEASURE_H
 
 #include "chapters/contents.h"
+#include "tools/bench/certify.h"
+#include "tools/bench/stopwatch.h"
 
 typedef enum run_end {
     RUN_DONE,
@@ -15,17 +17,27 @@ typedef enum run_end {
 
 typedef struct run {
     run_end end;
-    double seconds; /* of processor time, user and system, for the call alone */
-    double bytes;   /* the most memory it has held; negative when not known */
+    times times;    /* of the work alone; its result is there at the end */
+    answer answer;  /* when it was asked for; else its text is empty */
 } run;
 
-/* Runs the algorithm, or the yardstick when it is NULL, on copies of the points, once
- * or, when that is too short for the clock, until it is not; the mean of these.
- * The run is a child's, so that no run finds memory as an earlier one has left it.
- * Its memory is counted without the points, with the mesh.
+/* Runs the algorithm with these options, or the yardstick when it is NULL, on the
+ * points, once or, when that is too short for the clock, until it is not. The run is a
+ * child's, so that no run finds memory as an earlier one has left it.
+ * The memory is counted without the points, with the mesh.
  *
- * Requires: seconds > 0; the limit is on processor time, in whole seconds. */
-run measure(const algorithm *a, const point2 *points, uint32_t n,
-            unsigned seconds);
+ * Requires: seconds > 0; the limit is on processor time, in whole seconds, what it
+ * takes to certify included. */
+run measure(const algorithm *a, const tri_options *options, const point2 *points,
+            uint32_t n, unsigned seconds, bool certify);
+
+/* The same for a peer (tools/bench/peers/peer.h) on the points of a file. */
+run measure_peer(const char *program, const char *points, unsigned seconds,
+                 bool certify);
+
+/* The same for a whole program, from its beginning to its end: bytes are not known. The
+ * last of the arguments is followed by NULL; standard output and error go to `said`. */
+run measure_program(const char *const *arguments, const char *said,
+                    unsigned seconds);
 
 #endif
