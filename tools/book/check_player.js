@@ -209,12 +209,20 @@ function checkPredictions(player) {
       choices[0].outerHTML);
     const correct = choices.find((choice) => choice.dataset.edge === answer);
     if (asked % 3 === 1) {
-      const wrong = choices.find((choice) => choice !== correct), at = player.position();
-      press(wrong);
-      expect("a wrong answer is judged, and the step stays", player,
-        player.sentence().startsWith(`No: ${wrong.dataset.edge} `) &&
-        !player.sentence().includes("undefined") && player.position() === at,
-        player.sentence());
+      const at = player.position(), { steps } = player.trace;
+      const between = steps.slice(at, steps.indexOf(flip));
+      for (const wrong of choices.filter((choice) => choice !== correct)) {
+        const { edge } = wrong.dataset;
+        const kept = between.find(({ event }, i) =>
+          event === "keep" && namesOf(between[i - 1]?.pop) === edge);
+        press(wrong);
+        expect("a wrong answer is judged, and the step stays", player,
+          player.sentence().startsWith(`No: ${edge} `) && player.position() === at &&
+          player.sentence().includes(kept ? kept.say : ""), player.sentence());
+        expect("what is said to be on the stack is there", player,
+          kept || player.sentence().includes(" is on the stack") ===
+            player.stack().includes(edge), player.sentence());
+      }
     }
     if (asked % 3 === 2) player.press("forward");
     else if (asked % 3 === 1) press(correct);

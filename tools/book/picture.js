@@ -80,7 +80,7 @@ function circleOf(corners, style) {
     : lineFrom(corners[0], corners[1], style);
 }
 
-// A point: a disc with its number, filled when it is a vertex.
+// A point: a disc with its number, dashed until it is a vertex.
 function discOf(place, number, style) {
   const group = svgElement("g", { class: style });
   group.append(svgElement("circle", { cx: place.x, cy: place.y, r: DISC }),

@@ -52,16 +52,18 @@ function questionsOf(trace) {
   return questions;
 }
 
+const speaksOf = (edges, name) => (edges ?? []).some((edge) => nameOf(edge) === name);
+
 // Why the edge `guess`, which is not the answer, is not the next to flip.
 function whyNot(trace, question, guess) {
-  const takes = (step) => (step.pop ?? []).some((edge) => nameOf(edge) === guess);
-  const looked = trace.steps.slice(question.at, question.flip).find(takes);
-  if (looked) return `${guess} is looked at before the next flip, but stays: ${looked.say}`;
-  if (stateAfter(trace, question.at).stack.includes(guess))
+  const { at, flip } = question, { steps } = trace;
+  const popped = steps.slice(at, flip).findIndex((step) => speaksOf(step.pop, guess));
+  if (popped >= 0) // and the next step says that it stays
+    return `${steps[at + popped + 1].say}. It comes off the stack before the next flip.`;
+  if (stateAfter(trace, at).stack.includes(guess))
     return `${guess} is on the stack, but something else lies above it.`;
-  if (trace.steps.some((step) => step.push))
+  if (steps.some((step) => step.push))
     return `${guess} is not on the stack, so it is not looked at.`;
-  const goes = trace.steps.slice(question.flip)
-    .some((step) => (step.remove ?? []).some((edge) => nameOf(edge) === guess));
-  return goes ? `${guess} will go, but not yet.` : `${guess} stays to the end.`;
+  return steps.slice(flip).some((step) => speaksOf(step.remove, guess))
+    ? `${guess} will go, but not yet.` : `${guess} stays to the end.`;
 }
