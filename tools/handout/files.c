@@ -149,7 +149,7 @@ collect_signs(handout *h)
     const char *const signs[] = {h->signs, "1", NULL};
     if (run_program(".", path, signs) != 0)
         refuse("%s does not run: make %s", h->signs, "build/signs");
-    tree_put(&h->tree, "checks/3.4.signs", file_bytes(path, NULL));
+    tree_put(&h->tree, "checks/3.4.instances", file_bytes(path, NULL));
 }
 
 static void

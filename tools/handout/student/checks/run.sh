@@ -12,6 +12,7 @@ if [ $# -eq 0 ]; then
 fi
 
 status=0
+checked=
 for pair in "$@"; do
     exercise=${pair%%:*}
     program=${pair#*:}
@@ -22,8 +23,8 @@ for pair in "$@"; do
     set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again"
     [ -n "$VARIANT" ] && set -- "$@" --variant "$VARIANT"
     [ -n "$PROPERTY" ] && set -- "$@" --property "$PROPERTY"
-    signs=checks/${exercise%-*}.signs
-    [ -f "$signs" ] && set -- "$@" --signs "$signs"
+    instances=checks/${exercise%-*}.instances
+    [ -f "$instances" ] && set -- "$@" --instances "$instances"
     echo "== $exercise"
     "build/checker_${exercise%-*}" "$@" -- "$program"
     case $? in
@@ -33,7 +34,7 @@ for pair in "$@"; do
         status=2 ;;
     esac
     echo
-    checked="${checked:-} $exercise"
+    [ -f "$feedback/properties.tsv" ] && checked="$checked $exercise"
 done
 
 # The points, by property: assignment.ini says how many, properties.tsv which are earned.
