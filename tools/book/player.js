@@ -7,9 +7,6 @@
 // Nothing moves unless somebody presses Play, and then a whole step at a time.
 "use strict";
 
-const keyTo = (style, meaning) => `<span><svg class="picture" viewBox="0 0 34 14">
-  <line class="${style}" x1="6" x2="28" y1="7" y2="7"/></svg> ${meaning}</span>`;
-
 const SKELETON = `
   <div class="stage"><svg class="picture"></svg></div>
   <p class="say" aria-live="polite"></p>
@@ -36,12 +33,24 @@ const SKELETON = `
   <div class="beside">
     <div class="figure"><p class="title"></p><ol></ol></div>
     <div class="stack"><p class="title">Stack, top first</p><ol></ol></div>
-    <p class="key">${keyTo("edge new", "new")} ${keyTo("edge gone", "gone")}
-      ${keyTo("mark", "looked at")} ${keyTo("circle", "circle")}</p>
+    <p class="key"></p>
   </div>
   <div class="printed" aria-hidden="true">
     <svg class="picture"></svg><svg class="picture"></svg>
   </div>`;
+
+// What the styles of lines mean, for those that the trace needs.
+function keyTo(trace) {
+  const meanings = [
+    ["edge new", "new", (step) => step.add?.length > 0],
+    ["edge gone", "gone", (step) => step.remove?.length > 0],
+    ["mark", "looked at", (step) => step.edges || step.push],
+    ["circle", "circle", (step) => step.circle],
+  ];
+  return meanings.filter(([, , isIn]) => trace.steps.some(isIn)).map(([style, meaning]) =>
+    `<span><svg class="picture" viewBox="0 0 34 14"><line class="${style}"
+      x1="6" x2="28" y1="7" y2="7"/></svg> ${meaning}</span>`).join(" ");
+}
 
 function htmlElement(name, text) {
   const element = document.createElement(name);
@@ -226,6 +235,7 @@ function makePlayer(root) {
     find(".figure ol").append(item);
   }
   find(".figure .title").textContent = trace.figure.name;
+  find(".key").innerHTML = keyTo(trace);
   find(".stack").hidden = !trace.steps.some((step) => step.push);
   find(".predict").hidden = questions.length === 0;
   scrub.max = end;
