@@ -15,9 +15,9 @@ typedef struct algorithm {
     const char *function; /* its name in C */
     tri_status (*triangulate)(const point2 *points, uint32_t n,
                               const tri_options *options, mesh *out);
-    bool delaunay;       /* is the result a Delaunay triangulation? */
-    uint32_t most;       /* with more points it takes longer than tests can wait */
-    const char *summary; /* a phrase for people */
+    bool delaunay;             /* is the result a Delaunay triangulation? */
+    uint32_t most;             /* with more points it takes longer than tests can wait */
+    const char *summary;       /* a phrase for people */
     const figure_steps *steps; /* for those who watch; NULL: it reports nothing */
 } algorithm;
 

@@ -14,7 +14,7 @@
 #include <stddef.h>
 
 typedef enum trace_kind {
-    TRACE_START,  /* first edge: a b */
+    TRACE_START,  /* first edge of a triangulation: a b */
     TRACE_ATTACH, /* a joined to the hull; edge = the new hull edge leaving a */
     TRACE_POP,    /* edge, from a to b, taken from the stack */
     TRACE_FLIP,   /* a b became c d; edge now leads from d to c */

@@ -64,6 +64,7 @@ typedef struct trial {
     replay r; /* before the step */
     const json *step;
     vertex_id l, r_end;       /* 3.7: the ends of the edge that rises */
+    bool merging;             /* 3.7: between the lower tangent and the upper one */
     char part[REPLAY_POINTS]; /* 3.7: 'l' and 'r', what is being merged */
     vertex_id asked[8];       /* the numbers of the last question */
     char asked_words[2000];   /* ... and its words */
@@ -240,9 +241,9 @@ check_start_and_attach(trial *t, const sentence *s)
     const vertex_id *id = s->id;
     const replay *r = &t->r;
     if (is(s, "begin with # and #: the edge #-#")) {
-        claim(t, s, has_edge(t, "add", id[0], id[1]) && has_edge(t, "add", id[2], id[3]) &&
-              step_count(t->step, "add") == 1 && !r->is_vertex[id[0]] &&
-              !r->is_vertex[id[1]]);
+        claim(t, s, !t->merging && has_edge(t, "add", id[0], id[1]) &&
+              has_edge(t, "add", id[2], id[3]) && step_count(t->step, "add") == 1 &&
+              !r->is_vertex[id[0]] && !r->is_vertex[id[1]]);
     } else if (begins(s, "# comes: it sees ")) {
         vertex_id some = 0;
         while (!r->is_vertex[some])
@@ -345,8 +346,8 @@ check_push(trial *t, const sentence *s)
 static bool
 is_triangle(const trial *t, const vertex_id abc[3])
 {
-    return there(t, abc[0], abc[1]) && there(t, abc[1], abc[2]) && there(t, abc[2], abc[0]) &&
-           turn(t, abc[0], abc[1], abc[2]) > 0;
+    return there(t, abc[0], abc[1]) && there(t, abc[1], abc[2]) &&
+           there(t, abc[2], abc[0]) && turn(t, abc[0], abc[1], abc[2]) > 0;
 }
 
 static bool
@@ -449,6 +450,8 @@ check_tangents(trial *t, const sentence *s)
     if (is(s, "#-# is the lower tangent: no point of the two parts lies right of the line "
               "from # to #")) {
         memset(t->part, 0, sizeof t->part);
+        claim(t, s, !t->merging);
+        t->merging = true;
         t->l = id[2];
         t->r_end = id[3];
         mark_part(t, t->l, t->part, 'l');
@@ -458,7 +461,9 @@ check_tangents(trial *t, const sentence *s)
             claim(t, s, t->part[v] == 0 || turn(t, t->l, t->r_end, v) >= 0);
     } else if (is(s, "#-# is the upper tangent: no point of the two parts lies left of the "
                      "line from # to #")) {
-        claim(t, s, id[2] == t->l && id[3] == t->r_end && there(t, t->l, t->r_end));
+        claim(t, s, t->merging && id[2] == t->l && id[3] == t->r_end &&
+              there(t, t->l, t->r_end));
+        t->merging = false;
         for (vertex_id v = 0; v < t->r.n; v++)
             claim(t, s, t->part[v] == 0 || turn(t, t->l, t->r_end, v) <= 0);
     } else if (is(s, "join # and # by the lower tangent")) {
@@ -505,6 +510,16 @@ check_merge(trial *t, const sentence *s)
 
 /* ---- All sentences of all algorithms. ---- */
 
+/* After each question comes its answer, and nothing else. */
+static void
+check_order(const trial *t, const char *before)
+{
+    const char *event = t->step != NULL ? step_text(t->step, "event") : "the end";
+    bool answer = strcmp(event, "keep") == 0 || strcmp(event, "flip") == 0;
+    CLAIM("trace.says", strcmp(before, "pop") != 0 || answer, "step %u: after pop comes %s",
+          t->r.next, event);
+}
+
 static void
 sentences_say_what_is_so(const point2 *points, uint32_t n)
 {
@@ -518,7 +533,10 @@ sentences_say_what_is_so(const point2 *points, uint32_t n)
         watched_run run = random_run(&contents[i]);
         t = (trial){.points = points};
         replay_begin(&t.r, &run, points, n);
+        const char *before = "";
         while ((t.step = replay_peek(&t.r)) != NULL) {
+            check_order(&t, before);
+            before = step_text(t.step, "event");
             sentence s = take_apart(step_text(t.step, "say"));
             bool known = false;
             for (size_t k = 0; k < sizeof checks / sizeof checks[0] && !known; k++)
@@ -526,6 +544,8 @@ sentences_say_what_is_so(const point2 *points, uint32_t n)
             CLAIM("trace.says", known, "nobody knows the sentence: %s", s.text);
             replay_step(&t.r);
         }
+        check_order(&t, before);
+        CLAIM("trace.says", !t.merging, "a merge does not end at the upper tangent");
         replay_free(&t.r);
     }
 }

@@ -24,8 +24,8 @@ random_run(const algorithm *a)
     o->locator = (tri_locator)random_below(random, 4);
     o->seed = random_below(random, 1000);
     snprintf(run.words, sizeof run.words,
-             "--algorithm %s --direction %.17g,%.17g --cuts %s --locator %s --seed %" PRIu64,
-             a->name, o->direction.x, o->direction.y, cuts[o->cuts],
+             "--algorithm %s --direction %.17g,%.17g --cuts %s --locator %s "
+             "--seed %" PRIu64, a->name, o->direction.x, o->direction.y, cuts[o->cuts],
              locators[o->locator], o->seed);
     return run;
 }
@@ -182,7 +182,8 @@ run_stack(replay *r, const json *step)
         uint32_t entry = (uint32_t)turned->item[0].number;
         a = id_of(r, &turned->item[1]);
         b = id_of(r, &turned->item[2]);
-        CLAIM("trace.stack", a < b, "step %u: entry %u turns to %u-%u", r->next, entry, a, b);
+        CLAIM("trace.stack", a < b, "step %u: entry %u turns to %u-%u", r->next, entry, a,
+              b);
         r->stack[entry][0] = a;
         r->stack[entry][1] = b;
     }

@@ -27,13 +27,14 @@ write_visits(tracer *w, vertex_id p)
     step *s = &w->step;
     for (uint32_t i = 0; i < w->walk.count; i += 3) {
         const vertex_id *corner = w->walk.id + i;
-        say(s, "the walk to %lu %s ", (unsigned long)p,
-            corner[2] != NONE ? i == 0 ? "begins in the triangle" : "comes to the triangle"
-                              : i == 0 ? "begins at the edge" : "leaves the hull through");
-        if (corner[2] != NONE)
+        say(s, "the walk to %lu ", (unsigned long)p);
+        if (corner[2] != NONE) {
+            say(s, "%s the triangle ", i == 0 ? "begins in" : "comes to");
             say_corners(s, corner);
-        else
+        } else {
+            say(s, "%s ", i == 0 ? "begins at the edge" : "leaves the hull through");
             say_edge(s, corner[0], corner[1]);
+        }
         show_corners(s, corner);
         id_list_add(&s->field[POINT], p);
         step_end(s, STEP_VISIT);

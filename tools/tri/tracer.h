@@ -9,7 +9,9 @@
 #include "tools/tri/step.h"
 
 /* What can still become of the last event. */
-typedef enum tracer_pending { NOTHING, MORE_PUSHES, MORE_MOVES, KEEP_OR_FLIP } tracer_pending;
+typedef enum tracer_pending {
+    NOTHING, MORE_PUSHES, MORE_MOVES, KEEP_OR_FLIP
+} tracer_pending;
 
 /* An edge ab has been taken from the stack. What is asked about it? */
 typedef struct tracer_question {
