@@ -288,9 +288,9 @@ write_make(handout *h)
         const exercise *e = &h->project.exercise[i];
         if (e->role != ROLE_ASKED || has_word(missing, e->section, strlen(e->section)))
             continue;
-        const char *program = format("build/%s/program_%s", exercise_program(h, e),
+        const char *program = format("$(BUILD)/%s/program_%s", exercise_program(h, e),
                                      e->section);
-        const char *checker = format("build/checker_%s", e->section);
+        const char *checker = format("$(BUILD)/checker_%s", e->section);
         checked = format("%s %s", checked, e->id);
         which = format("%sPROGRAM_%s = %s\n", which, e->id, program);
         if (!has_word(programs, program, strlen(program)))

@@ -1,9 +1,9 @@
 #!/bin/sh
 # run.sh EXERCISE:PROGRAM... - checks the exercises and adds up the points.
 #
-# SEED, VARIANT and PROPERTY may be set. What is wrong stands in build/feedback/EXERCISE/: a
-# text and a picture for each property that fails. Exit status: 0 all is right; 1 not yet;
-# 2 the checker itself has failed.
+# BUILD, SEED, VARIANT and PROPERTY are set by make. What is wrong stands in
+# BUILD/feedback/EXERCISE/: a text and a picture for each property that fails. Exit
+# status: 0 all is right; 1 not yet; 2 the checker itself has failed.
 set -u
 
 if [ $# -eq 0 ]; then
@@ -16,7 +16,7 @@ checked=
 for pair in "$@"; do
     exercise=${pair%%:*}
     program=${pair#*:}
-    feedback=build/feedback/$exercise
+    feedback=$BUILD/feedback/$exercise
     rm -rf "$feedback"
     mkdir -p "$feedback"
     again="make check EX=$exercise SEED=$SEED"
@@ -26,7 +26,7 @@ for pair in "$@"; do
     instances=checks/${exercise%-*}.instances
     [ -f "$instances" ] && set -- "$@" --instances "$instances"
     echo "== $exercise"
-    "build/checker_${exercise%-*}" "$@" -- "$program"
+    "$BUILD/checker_${exercise%-*}" "$@" -- "$program"
     case $? in
     42) ;;
     43) [ $status -eq 2 ] || status=1 ;;
@@ -58,6 +58,6 @@ for exercise in $checked; do
             line = line "  " name[i] " " earned "/" points[i]
         }
         printf "%-6s %2d of %2d points:%s\n", exercise, sum, all, line
-    }' assignment.ini "build/feedback/$exercise/properties.tsv"
+    }' assignment.ini "$BUILD/feedback/$exercise/properties.tsv"
 done
 exit $status
