@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Reading. ---- */
 
@@ -160,18 +161,27 @@ decimal_read(const char *text, size_t length, double *value)
 
 /* ---- Writing. ---- */
 
+/* The digits of 0 .. 99, two each: half as many divisions. */
+static const char pairs[] =
+    "00010203040506070809101112131415161718192021222324"
+    "25262728293031323334353637383940414243444546474849"
+    "50515253545556575859606162636465666768697071727374"
+    "75767778798081828384858687888990919293949596979899";
+
 int
 decimal_write_integer(char *text, uint64_t value)
 {
-    char reversed[DECIMAL_ROOM];
-    int length = 0;
-    do {
-        reversed[length++] = (char)('0' + value % 10);
-        value /= 10;
-    } while (value != 0);
-    for (int i = 0; i < length; i++)
-        text[i] = reversed[length - 1 - i];
-    text[length] = '\0';
+    int length = 1; /* at most 20: then `power` would be 10^20, which is too large */
+    for (uint64_t power = 10; length < 20 && value >= power; power *= 10)
+        length++;
+    int at = length;
+    text[at] = '\0';
+    for (; value >= 10; value /= 100) {
+        at -= 2;
+        memcpy(text + at, pairs + 2 * (value % 100), 2);
+    }
+    if (at > 0)
+        text[0] = (char)('0' + value);
     return length;
 }
 

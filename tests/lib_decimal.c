@@ -182,6 +182,33 @@ no_decimals(void)
     }
 }
 
+static void
+check_integer(uint64_t value)
+{
+    char ours[DECIMAL_ROOM], theirs[DECIMAL_ROOM];
+    int length = decimal_write_integer(ours, value);
+    sprintf(theirs, "%llu", (unsigned long long)value);
+    CLAIM("decimal.integer", strcmp(ours, theirs) == 0 &&
+          length == (int)strlen(theirs), "%s is written as %.*s", theirs, length, ours);
+}
+
+/* All short ones, those around each power of ten, and some of each length. */
+static void
+integers_are_written_in_full(void)
+{
+    for (uint64_t value = 0; value < 11000; value++)
+        check_integer(value);
+    uint64_t power = 1;
+    for (int digits = 1; digits <= 20; digits++, power *= 10) {
+        check_integer(power - 1);
+        check_integer(power);
+        check_integer(power + 1);
+    }
+    check_integer(UINT64_MAX);
+    for (int i = 0; i < 10000; i++)
+        check_integer(random_bits(test_random_source()) >> i % 64);
+}
+
 static const char *program_path; /* argv[0]: beside it is room for files */
 
 /* A locale with a decimal comma, made for the occasion where localedef (of the C
@@ -234,7 +261,8 @@ main(int argc, char **argv)
     test_begin(argc, argv, "lib/decimal: doubles survive being written and read");
     test_run("doubles survive", doubles_survive);
     test_run("decimals are rounded once", decimals_are_rounded_once);
+    test_run("integers are written in full", integers_are_written_in_full);
     test_run("what is no decimal", no_decimals);
     test_run("the locale does not matter", locale_does_not_matter);
-    return test_end((test_minima){.trials = 4});
+    return test_end((test_minima){.trials = 5});
 }
