@@ -4,6 +4,7 @@
 #include "tools/checks/meshes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- 2.3-a: the order of the sweep. ---- */
 
@@ -53,6 +54,8 @@ order_is_right(session *s, const site *p, uint32_t n)
     begin_case(s, 'a', p, n);
     give_points(s);
     site d = give_direction(s);
+    if (strcmp(variant_of(s), "from-right") == 0)
+        d = (site){-d.x, -d.y}; /* the line moves the other way */
     if (!ask(s) || !take_ok(s))
         return;
     uint32_t count = take_number(s, 0, n, "the number of locations");
@@ -282,6 +285,17 @@ sweep_is_cheap(session *s, const site *p, uint32_t n)
 
 /* ---- 2.3-d: the hull. ---- */
 
+/* The same hull the other way around, from the same vertex. */
+static void
+turn_around(uint32_t *vertex, uint32_t count)
+{
+    for (uint32_t i = 1, k = count; i + 1 < k; i++) {
+        uint32_t v = vertex[--k];
+        vertex[k] = vertex[i];
+        vertex[i] = v;
+    }
+}
+
 static void
 hull_is_right(session *s, const site *p, uint32_t n)
 {
@@ -299,6 +313,8 @@ hull_is_right(session *s, const site *p, uint32_t n)
         for (uint32_t i = 0; i < count && !failed(s); i++)
             vertex[i] = take_number(s, 0, n - 1, "a hull vertex");
         take_end(s);
+        if (strcmp(variant_of(s), "clockwise") == 0 && list.count > 0)
+            turn_around(vertex, count);
         if (!failed(s))
             expect_verdict(s, certify_hull(p, n, vertex, count));
     }

@@ -86,15 +86,17 @@ check_signs(session *s, char exercise, char kind)
         }
     if (!ask(s))
         return;
+    /* When the y axis points down, left is right, and the signs are exchanged. */
+    int up = strcmp(variant_of(s), "y-down") == 0 ? -1 : +1;
     for (uint32_t k = 0; k < list.count && !failed(s); k++) {
         const instance *in = &list.item[k];
         const point2 *p = in->p;
         int sign = take_sign(s, "a sign");
-        expect(s, failed(s) || sign == in->sign,
+        expect(s, failed(s) || sign == up * in->sign,
                "the sign for (%.17g, %.17g), (%.17g, %.17g), (%.17g, %.17g), "
                "(%.17g, %.17g) is %+d, and your function says %+d",
-               p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y, in->sign,
-               sign);
+               p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y,
+               up * in->sign, sign);
     }
     take_end(s);
 }

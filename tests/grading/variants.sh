@@ -1,0 +1,37 @@
+#!/bin/sh
+# variants.sh BUILD - each variant can be solved: a solution of it gets all points.
+#
+# A solution is the reference's with one line changed, in a handout of the variant. That
+# the reference itself does not solve it has been seen when the handout was made, unless
+# there is no time: QUICK=1. Prints a line for each, and fails if one is not right.
+set -u
+build=${1:?usage: tests/grading/variants.sh BUILD, in the root of the project}
+tree=$build/variants.tree
+status=0
+
+# EXERCISE VARIANT FILE SED-SCRIPT
+try() {
+    rm -rf "$tree"
+    if "$build/handout" ${QUICK:+--no-proof} "$1" --variant "$2" -o "$tree" \
+        >"$build/variants.txt" 2>&1 &&
+        sed "$4" "$3" >"$tree/$3" && ! cmp -s "$3" "$tree/$3" &&
+        (cd "$tree" && make -s CFLAGS=-O0 check EX="$1") >>"$build/variants.txt" 2>&1
+    then
+        echo "ok     - $1 $2"
+    else
+        echo "not ok - $1 $2"
+        sed 's/^/  /' "$build/variants.txt"
+        status=1
+    fi
+}
+
+sweep=chapters/2.3_line_sweep/sweep.c
+exact=chapters/3.4_primitives/exact.c
+try 2.3-a from-right $sweep '/^merge_runs/,/^}/s/<= 0/>= 0/'
+try 2.3-d clockwise $sweep '/^hull_vertices/,/^}/{
+    s/e = mesh_hull_next(m, e);/e = path ? mesh_hull_next(m, e) : mesh_hull_prev(m, e);/
+}'
+try 3.4-a y-down $exact '/^answer/,/^}/s/return sign/return -sign/'
+try 3.4-b y-down $exact '/^answer/,/^}/s/return sign/return -sign/'
+rm -rf "$tree"
+exit $status
