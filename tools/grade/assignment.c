@@ -92,10 +92,26 @@ archive_given(const grading *g, const char *mode)
         refuse("%s: what is given cannot be archived: %s", folder, said);
 }
 
+/* Says of a compiled tree how it was compiled. */
+static const char *
+stamp_of(const grading *g)
+{
+    return format("%s %s\n", g->compiler, GRADING_FLAGS);
+}
+
+bool
+base_is_prepared(const grading *g, const char *folder)
+{
+    const char *stamp = file_bytes(format("%s/build/stamp", folder), NULL);
+    return stamp != NULL && strcmp(stamp, stamp_of(g)) == 0;
+}
+
 void
 base_prepare(const grading *g)
 {
     char *said;
+    if (base_is_prepared(g, g->base))
+        return;
     const char *const make[] = {"make", "-s", format("CC=%s", g->compiler),
                                 "CFLAGS=" GRADING_FLAGS, "all", NULL};
     int status = run(g->base, make, 600, 8000, &said, NULL);
@@ -108,4 +124,5 @@ base_prepare(const grading *g)
         if (!before)
             archive_given(g, g->asked.task[t].mode);
     }
+    write_file(format("%s/build/stamp", g->base), stamp_of(g), strlen(stamp_of(g)));
 }

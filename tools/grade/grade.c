@@ -2,7 +2,8 @@
  *
  *     grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]
  *           [--format LIST] [-o FOLDER] [--csv FILE] [--roster FILE] [--supply]
- *           [--variant NAME] [--require-sandbox] SUBMISSION|FOLDER...
+ *           [--variant NAME] [--require-sandbox] [--one] SUBMISSION|FOLDER...
+ *     grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o FOLDER
  *     grade --viva ID -a ... SUBMISSION
  *     grade --pack gradescope -a ... [--seed-file FILE] -o FILE.zip
  *
@@ -31,7 +32,7 @@ typedef struct request {
     const char *what, *base, *seed_file, *formats, *output, *csv, *roster, *variant;
     const char *viva, *pack;
     int workers;
-    bool supply, required;
+    bool supply, required, one, prepare;
     char **path;
 } request;
 
@@ -41,7 +42,8 @@ usage(void)
     fputs("usage: grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]\n"
           "             [--format text,gradescope,classroom50,junit,tap] [-o FOLDER]\n"
           "             [--csv FILE] [--roster FILE] [--supply] [--variant NAME]\n"
-          "             [--require-sandbox] SUBMISSION|FOLDER...\n"
+          "             [--require-sandbox] [--one] SUBMISSION|FOLDER...\n"
+          "       grade --prepare [-a WEEK|SECTION|EXERCISE] [--base FOLDER] -o FOLDER\n"
           "       grade --viva ID -a WEEK|SECTION|EXERCISE SUBMISSION\n"
           "       grade --pack gradescope -a WEEK|SECTION|EXERCISE [--seed-file FILE] "
           "-o FILE.zip\n", stderr);
@@ -65,6 +67,10 @@ parse(int argc, char **argv)
             r.supply = known = true;
         else if (strcmp(argv[i], "--require-sandbox") == 0)
             r.required = known = true;
+        else if (strcmp(argv[i], "--prepare") == 0)
+            r.prepare = known = true;
+        else if (strcmp(argv[i], "--one") == 0)
+            r.one = known = true;
         else if (i + 1 == argc)
             usage();
         else if (strcmp(argv[i], "-j") == 0 && (r.workers = atoi(argv[++i])) > 0)
@@ -78,9 +84,9 @@ parse(int argc, char **argv)
             usage();
     }
     r.path = argv + i;
-    bool several = r.pack == NULL && r.viva == NULL;
-    if ((r.what == NULL && r.base == NULL) || (several && i == argc) ||
-        (r.viva != NULL && i + 1 != argc) || (r.pack != NULL && r.output == NULL))
+    bool writes_one = r.pack != NULL || r.prepare;
+    if ((r.what == NULL && r.base == NULL) || (writes_one && r.output == NULL) ||
+        (!writes_one && i == argc) || (r.viva != NULL && i + 1 != argc))
         usage();
     r.formats = replace_all(r.formats, ",", " ");
     if (formats_check(r.formats) != NULL)
@@ -152,21 +158,21 @@ own_folder(const char *self)
 
 /* The tree that was handed out, in `to`: a copy of --base, or made here. */
 static void
-bring_base(const request *r, const char *tools, const char *to)
+bring_base(const request *r, const grading *g, const char *to)
 {
     char *said;
     command_line c = {NULL, 0};
     if (r->base != NULL) {
-        make_folder(to);
-        const char *const sh[] = {"sh", "-c",
-            "cd \"$0\" && find . -name build -prune -o -type f -print | "
-            "while read -r f; do mkdir -p \"$1/${f%/*}\" && cp \"$f\" \"$1/$f\" || exit 1; done",
+        bool prepared = base_is_prepared(g, r->base);
+        const char *const sh[] = {"sh", "-c", prepared
+            ? "mkdir -p \"$1\" && cp -R \"$0/.\" \"$1\""
+            : "mkdir -p \"$1\" && cp -R \"$0/.\" \"$1\" && rm -rf \"$1/build\"",
             r->base, to, NULL};
         if (run(".", sh, 60, 2000, &said, NULL) != 0)
             refuse("%s: %s", r->base, said);
         return;
     }
-    command_add(&c, format("%s/handout", tools));
+    command_add(&c, format("%s/handout", g->tools));
     command_add(&c, r->what);
     command_add_words(&c, "--no-proof -o");
     command_add(&c, to);
@@ -199,13 +205,13 @@ prepare(const request *r, const char *self)
 {
     grading g = {.work = make_work(), .tools = own_folder(self), .seed = read_seed(r->seed_file)};
     const char *compiler = getenv("CC");
-    g.base = format("%s/base", g.work);
+    g.base = r->prepare ? from_root(r->output) : format("%s/base", g.work);
     g.project = current_folder();
     g.compiler = compiler != NULL && *compiler != '\0' ? compiler : "cc";
     g.required = r->required;
     g.supply = r->supply;
     g.formats = r->formats;
-    bring_base(r, g.tools, g.base);
+    bring_base(r, &g, g.base);
     g.asked = assignment_read(g.base);
     return g;
 }
@@ -263,13 +269,13 @@ add_submission(class *c, const char *name, const char *path)
 }
 
 /* A folder with a file of the assignment, or an archive and nothing else, is one submission;
- * any other holds one in each entry. */
+ * any other holds one in each entry, unless --one says that it does not. */
 static bool
-is_class(const assignment *a, const char *path)
+is_class(const request *r, const assignment *a, const char *path)
 {
     DIR *d;
     int entries = 0, archives = 0, folders = 0;
-    if (!is_folder(path) || (d = opendir(path)) == NULL)
+    if (r->one || !is_folder(path) || (d = opendir(path)) == NULL)
         return false;
     bool own = access(format("%s/assignment.ini", path), F_OK) == 0;
     for (size_t f = 0; f < a->files; f++) {
@@ -314,9 +320,9 @@ static class
 find_submissions(const request *r, const assignment *a)
 {
     class c = {NULL, 0};
-    bool alone = r->path[0] != NULL && r->path[1] == NULL && !is_class(a, r->path[0]);
+    bool alone = r->path[0] != NULL && r->path[1] == NULL && !is_class(r, a, r->path[0]);
     for (char **path = r->path; *path != NULL; path++) {
-        DIR *d = is_class(a, *path) ? opendir(*path) : NULL;
+        DIR *d = is_class(r, a, *path) ? opendir(*path) : NULL;
         if (d == NULL && access(*path, F_OK) != 0)
             refuse("%s: %s", *path, strerror(errno));
         if (d == NULL)
@@ -484,11 +490,13 @@ main(int argc, char **argv)
     request r = parse(argc, argv);
     if (r.pack != NULL && strcmp(r.pack, "gradescope") != 0)
         refuse("there is no pack %s", r.pack);
-    if (r.pack == NULL && r.viva == NULL)
+    if (r.pack == NULL && r.viva == NULL && !r.prepare)
         return grade_class(&r, argv[0]);
 
     grading g = prepare(&r, argv[0]);
-    if (r.pack != NULL)
+    if (r.prepare)
+        base_prepare(&g);
+    else if (r.pack != NULL)
         pack_gradescope(g.project, g.base, r.seed_file, r.output);
     else
         viva(&g, r.viva, from_root(r.path[0]));

@@ -64,8 +64,10 @@ typedef struct grading {
 #define GRADING_FLAGS \
     "-O1 -w -static -fsanitize=undefined -fsanitize-undefined-trap-on-error"
 
-/* Compiles the checkers and what the students' files are linked with (base.c). */
+/* Compiles the checkers and what the students' files are linked with, if g->base is not
+ * such a tree already. */
 void base_prepare(const grading *g);
+bool base_is_prepared(const grading *g, const char *folder);
 
 /* ---- What came out. ---- */
 
