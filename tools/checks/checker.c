@@ -135,13 +135,14 @@ print_failure(FILE *file, const session *s, const failure *f, const request *r,
               const char *picture)
 {
     const property *p = f->of;
+    const questions *about = questions_of(s); /* the points that the case was about */
     fprintf(file, "%s %s: fails\n", p->exercise, p->name);
     fprintf(file, "  what must hold: %s (%s)\n", p->statement, p->place);
     fputs("  what was seen: ", file);
     print_clean(file, s->seen);
     putc('\n', file);
-    if (f->end != FATE_TODO && r->instances == NULL)
-        print_points(file, f->points, f->n);
+    if (f->end != FATE_TODO && about->at != NULL)
+        print_points(file, about->at, about->n);
     if (f->end != FATE_ANSWERED && s->student.said_count > 0) {
         fputs("  the program's last words:\n    ", file);
         print_clean(file, s->student.said);
@@ -183,8 +184,8 @@ report_failure(const session *s, const failure *f, const request *r, FILE *table
     const char *drawn = NULL;
     if (r->feedback != NULL) {
         snprintf(picture, sizeof picture, "%s/%s.svg", r->feedback, f->of->name);
-        if (f->end != FATE_TODO && r->instances == NULL &&
-            picture_write(s, f->of, f->points, f->n, picture))
+        if (f->end != FATE_TODO && questions_of(s)->at != NULL &&
+            picture_write(s, f->of, picture))
             drawn = picture;
         FILE *text = open_in(r->feedback, f->of->name, ".txt", path, sizeof path);
         print_failure(text, s, f, r, drawn);

@@ -6,9 +6,10 @@
 #include <stdlib.h>
 
 bool
-picture_write(const session *s, const property *p, const site *points, uint32_t n,
-              const char *path)
+picture_write(const session *s, const property *p, const char *path)
 {
+    const site *points = s->about.at;
+    uint32_t n = s->about.n;
     FILE *file = fopen(path, "w");
     point2 *at = calloc((size_t)n + 1, sizeof *at);
     if (file == NULL || at == NULL) {

@@ -38,8 +38,8 @@ void session_trial(session *s, const property *p, uint64_t seed, const site *poi
 /* Frees everything, and ends the program. */
 void session_free(session *s);
 
-/* A picture of the failed trial. false: it cannot be written. */
-bool picture_write(const session *s, const property *p, const site *points, uint32_t n,
-                   const char *path);
+/* A picture of the failed trial and the points of its case. false: it cannot be
+ * written. */
+bool picture_write(const session *s, const property *p, const char *path);
 
 #endif
