@@ -3,6 +3,7 @@
  *
  * Hypotheses: none for reading; what is written has finite coordinates.
  */
+#include "lib/binary.h"
 #include "lib/memory.h"
 #include "lib/textio.h"
 #include "tests/harness/harness.h"
@@ -75,6 +76,73 @@ points_survive(const point2 *points, uint32_t n)
         text_points_free(&read);
         free(t.bytes);
     }
+}
+
+/* ---- Points as bits. ---- */
+
+static text
+binary_points(const point2 *points, uint32_t n)
+{
+    text t;
+    FILE *file = open_memstream(&t.bytes, &t.size);
+    if (file == NULL)
+        abort();
+    binary_write_points(file, points, n);
+    fclose(file);
+    return t;
+}
+
+/* The bytes are put together anew here, from the description in lib/binary.h. */
+static void
+check_bytes(const text *t, const point2 *points, uint32_t n)
+{
+    static const unsigned char header[12] = {0x89, 0x54, 0x52, 0x49, 0x0D, 0x0A,
+                                             0x1A, 0x0A, 1,    0,    0,    0};
+    CLAIM("binary.bytes", t->size == 16 + 16 * (size_t)n &&
+          memcmp(t->bytes, header, sizeof header) == 0, "%u points: %zu bytes", n, t->size);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < 16; k++) {
+            uint64_t bits;
+            memcpy(&bits, k < 8 ? &points[i].x : &points[i].y, sizeof bits);
+            unsigned char byte = (unsigned char)t->bytes[16 + 16 * i + k];
+            CLAIM("binary.bytes", byte == (bits >> 8 * (k % 8) & 255),
+                  "byte %zu of point %zu is %u", k, i, byte);
+        }
+}
+
+/* Read in the machine's own memory, as long as the bytes: a sanitizer looks on. */
+static tri_status
+read_binary(const text *t, size_t size, text_points *read, text_error *error)
+{
+    text copy = copy_text(t->bytes, size);
+    tri_status status = text_parse_points("x.node", copy.bytes, size, read, error);
+    free(copy.bytes);
+    return status;
+}
+
+static void
+bits_survive(const point2 *points, uint32_t n)
+{
+    text t = binary_points(points, n);
+    text_points read;
+    text_error error = {0, ""};
+    check_bytes(&t, points, n);
+    CLAIM("binary.round_trip", read_binary(&t, t.size, &read, &error) == TRI_OK &&
+          same_points(&read, points, n) && read.first == 0,
+          "%u points are not what was written (%s)", n, error.text);
+    text_points_free(&read);
+    memory_fail_at(1);
+    tri_status status = read_binary(&t, t.size, &read, &error);
+    memory_fail_at(0);
+    CLAIM("binary.memory", status == TRI_OUT_OF_MEMORY && read.points == NULL &&
+          read.count == 0, "without memory: status %d", (int)status);
+
+    size_t shorter = 8 + random_below(test_random_source(), (uint32_t)t.size - 8);
+    CLAIM("binary.cut", read_binary(&t, shorter, &read, &error) == TRI_BAD_FILE &&
+          read.points == NULL && read.count == 0 && error.line == 0 &&
+          strncmp(error.text, "binary points", 13) == 0,
+          "%zu of %zu bytes are read, or refused with: %s", shorter, t.size, error.text);
+    free(t.bytes);
 }
 
 /* Triangles and edges of random vertices; no file cares what they look like. */
@@ -419,6 +487,8 @@ main(int argc, char **argv)
     test_random("points survive", points_survive, 2000, 200);
     test_near_degenerate("points survive, at every magnitude", points_survive,
                          2000, 50);
+    test_random("bits survive", bits_survive, 500, 200);
+    test_near_degenerate("bits survive, at every magnitude", bits_survive, 500, 50);
     test_random("triangles and edges survive", lists_survive, 500, 200);
     test_run("spellings of the same points", spellings_are_read);
     test_run("lines of a million bytes", long_lines_are_read);

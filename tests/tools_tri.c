@@ -231,6 +231,32 @@ bad_files_are_refused(void)
     globfree(&files);
 }
 
+/* Those that have no lines. Beside them stands one that is good, under any name. */
+static void
+bad_binary_files_are_refused(void)
+{
+    glob_t files;
+    CLAIM("tri.setup", glob("tests/bad_files/binary_*", 0, NULL, &files) == 0 &&
+          files.gl_pathc > 5, "the bad files are not there");
+    for (size_t i = 0; i < files.gl_pathc; i++) {
+        const char *path = files.gl_pathv[i];
+        char arguments[600], begin[600];
+        snprintf(arguments, sizeof arguments, "triangulate %s", path);
+        snprintf(begin, sizeof begin, "%s: binary points", path);
+        run_tri(2, arguments);
+        CLAIM("tri.binary", strncmp(read_scratch("err").text, begin, strlen(begin)) == 0 &&
+              one_line("err") && !has("out", "\n"), "%s is refused with: %s", path,
+              read_scratch("err").text);
+    }
+    globfree(&files);
+    int status = shell("$tri generate uniform 500 -o $d/b.node && "
+                       "$tri generate uniform 500 --binary -o $d/b.xy && "
+                       "$tri triangulate -o $d/1.ele $d/b.node && "
+                       "$tri triangulate -o $d/2.ele - <$d/b.xy && "
+                       "cmp $d/1.ele $d/2.ele && test $(wc -c <$d/b.xy) -eq 8016");
+    CLAIM("tri.binary", status == 0, "bits and text differ: status %d", status);
+}
+
 static void
 what_is_no_file_is_refused(void)
 {
@@ -400,6 +426,7 @@ main(int argc, char **argv)
              generated_points_are_the_same_everywhere);
     test_near_degenerate("doubles go through", doubles_go_through, 60, 20);
     test_run("bad files are refused", bad_files_are_refused);
+    test_run("bad binary files are refused", bad_binary_files_are_refused);
     test_run("what is no file is refused", what_is_no_file_is_refused);
     test_run("wrong arguments are explained", wrong_arguments_are_explained);
     test_run("failed writing leaves the old file",

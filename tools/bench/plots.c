@@ -85,7 +85,7 @@ box_of_costs(const bench *b)
                 }
     double left = ACROSS * log10(b->size[0]);
     double right = ACROSS * log10(b->size[b->sizes - 1]);
-    return (svg_box){{left - 40, low - 30}, {right + 90, high + 10}};
+    return (svg_box){{left - 50, low - 30}, {right + 90, high + 10}};
 }
 
 static void
@@ -94,7 +94,7 @@ draw_axes(const bench *b, svg *page, svg_box box)
     char text[32];
     double right = box.max.x - 90;
     for (double y = box.min.y + 30; y <= box.max.y - 10; y += UP) {
-        point2 at = {box.min.x + 30, y}, end = {right, y};
+        point2 at = {box.min.x + 40, y}, end = {right, y};
         svg_segment(page, at, end, SVG_FAINT);
         snprintf(text, sizeof text, "%g", pow(10, floor(y / UP + 0.5)));
         at.x -= 8 + svg_text_width(text) / 2;
@@ -191,7 +191,7 @@ draw_bars(const bench *b, svg *page, int i, double most)
         char text[32];
         double top = -20.0 * row++;
         const char *name = b->contender[c].name;
-        point2 left = {-8 - svg_text_width(name) / 2, top - 8};
+        point2 left = {-10 - svg_text_width(name) / 2, top - 8};
         svg_text(page, svg_place(page, left), name, SVG_PLAIN);
         if (k->state == CELL_MEASURED) {
             double ratio = k->user.least / b->cell[s][i][0].user.least;
@@ -202,8 +202,11 @@ draw_bars(const bench *b, svg *page, int i, double most)
             point2 end = {length + 8 + svg_text_width(text) / 2, top - 8};
             svg_text(page, svg_place(page, end), text, SVG_PLAIN);
         } else {
-            point2 end = {40, top - 8};
-            svg_text(page, svg_place(page, end), "not run", SVG_PLAIN);
+            const char *why = k->state == CELL_FAILED     ? "failed"
+                              : k->state == CELL_TOO_LONG ? "stopped"
+                                                          : "not run";
+            point2 end = {8 + svg_text_width(why) / 2, top - 8};
+            svg_text(page, svg_place(page, end), why, SVG_PLAIN);
         }
     }
     for (double x = 0; x <= most; x += ACROSS)

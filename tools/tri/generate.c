@@ -1,6 +1,7 @@
 /* generate.c - tri generate. */
 #include "tools/tri/tri.h"
 
+#include "lib/binary.h"
 #include "lib/memory.h"
 
 #include <stdlib.h>
@@ -20,6 +21,7 @@ command_generate(int argc, char **argv)
 {
     const char *path = take_option(&argc, argv, "-o");
     const char *seed = take_option(&argc, argv, "--seed");
+    bool binary = take_flag(&argc, argv, "--binary");
     expect_words(argc, argv, 2, 2);
     if (path == NULL)
         path = "-";
@@ -34,7 +36,10 @@ command_generate(int argc, char **argv)
         must(TRI_OUT_OF_MEMORY);
     d->fill(points, n, &source);
     output o = begin_output(path);
-    text_write_points(o.file, points, n, 0);
+    if (binary)
+        binary_write_points(o.file, points, n);
+    else
+        text_write_points(o.file, points, n, 0);
     finish_output(&o, path);
     memory_free(points);
     return EXIT_HOLDS;

@@ -56,8 +56,9 @@ const command commands[] = {
      "million steps), as JSON: for pictures that move. The format: docs/trace.md.\n"
      "  --algorithm NAME   one of those of `tri help triangulate` that report steps\n"
      "  OPTIONS            --direction, --cuts, --locator, --seed as there\n"},
-    {"generate", command_generate, "DISTRIBUTION N [--seed S] [-o OUT.node]",
-     "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"},
+    {"generate", command_generate, "DISTRIBUTION N [--seed S] [--binary] [-o OUT.node]",
+     "Makes N points, the same bytes everywhere. The seed is 1 by default.\n"
+     "  --binary           as bits, not as text\n"},
     {"draw", command_draw, "POINTS [TRIANGLES] [-o FILE.svg]",
      "Draws points, and triangles.\n"},
     {"help", command_help, "[COMMAND]", "What you are reading.\n"},
@@ -67,7 +68,7 @@ const command commands[] = {
 static const char files[] =
     "Files: .node, .ele and .edge of Shewchuk's Triangle; points also as\n"
     "lines `x y` or CSV, perhaps with a header (columns x,y or lon,lat, else\n"
-    "the first two). `-` is standard input or output, and so is no -o.\n"
+    "the first two), or as bits (of generate --binary). `-` is standard input or output, and so is no -o.\n"
     "Exit status: 0 done, 1 refuted (check), 2 unusable input or arguments.\n";
 
 static void
