@@ -296,9 +296,7 @@ check_closure(session *s, const site *p, uint32_t n, bool once)
     give_faces(s, &given);
     if (!ask(s))
         return;
-    uint32_t status = take_number(s, 0, 100, "the status");
-    expect(s, status == TRI_OK, "the function returned the status \"%s\"",
-           tri_status_text((tri_status)status));
+    take_ok(s);
     take_faces(s, &closure, MOST_SIMPLICES);
     for (uint32_t i = 0; i < expected.count && !failed(s); i++)
         expect(s, face_is_listed(&closure, &expected.item[i]),

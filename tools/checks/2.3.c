@@ -2,6 +2,7 @@
 #include "tools/checks/certify.h"
 #include "tools/checks/checker.h"
 #include "tools/checks/meshes.h"
+#include "tools/checks/room.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,27 +23,10 @@ give_direction(session *s)
     return d;
 }
 
-static bool
-take_ok(session *s)
-{
-    uint32_t status = take_number(s, 0, 100, "the status");
-    return expect(s, status == TRI_OK, "the function returned the status \"%s\"",
-                  tri_status_text((tri_status)status));
-}
-
-static uint32_t *
-room_for(uint32_t n)
-{
-    uint32_t *room = calloc((size_t)n + 1, sizeof *room);
-    if (room == NULL)
-        exit(1);
-    return room;
-}
-
 static uint32_t
 count_locations(const site *p, uint32_t n)
 {
-    uint32_t *lowest = room_for(n);
+    uint32_t *lowest = room_for(n, sizeof *lowest);
     uint32_t count = cases_locations(p, n, lowest);
     free(lowest);
     return count;
@@ -113,7 +97,7 @@ static bool
 find_last_two(const site *p, uint32_t n, scene *sc)
 {
     static const site rightwards = {1, 0};
-    uint32_t *order = room_for(n);
+    uint32_t *order = room_for(n, sizeof *order);
     uint32_t count = cases_locations(p, n, order);
     for (uint32_t i = 0; i < 2 && i + 1 < count; i++) /* the two largest to the front */
         for (uint32_t j = i + 1; j < count; j++)
@@ -131,10 +115,8 @@ find_last_two(const site *p, uint32_t n, scene *sc)
 static void
 set_scene(session *s, scene *sc, const site *p, uint32_t n)
 {
-    uint32_t *swept = room_for(n), count = 0;
-    site *at = calloc(n + 1, sizeof *at);
-    if (at == NULL)
-        exit(1);
+    uint32_t *swept = room_for(n, sizeof *swept), count = 0;
+    site *at = room_for(n, sizeof *at);
     for (uint32_t i = 0; i < n; i++)
         if (!plane_same(p[i], p[sc->p])) {
             at[count] = p[i];
@@ -144,7 +126,7 @@ set_scene(session *s, scene *sc, const site *p, uint32_t n)
     for (uint32_t i = 0; i < 3 * sc->list.count; i++)
         sc->list.corner[i / 3][i % 3] = swept[sc->list.corner[i / 3][i % 3]];
     keep_triangles(s, sc->list);
-    sc->path = room_for(n);
+    sc->path = room_for(n, sizeof *sc->path);
     sc->length = sc->list.count > 0 ? 0 : path_of(at, count, sc->path);
     for (uint32_t i = 0; i < sc->length; i++)
         sc->path[i] = swept[sc->path[i]];
@@ -169,9 +151,7 @@ static uint32_t
 count_seen(const scene *sc, const site *p)
 {
     uint32_t count = 0;
-    halfedge_id *twin = calloc(3 * sc->list.count + 1, sizeof *twin);
-    if (twin == NULL)
-        exit(1);
+    halfedge_id *twin = room_for(3 * sc->list.count, sizeof *twin);
     certify_twins(sc->list, twin);
     for (halfedge_id e = 0; e < 3 * sc->list.count; e++)
         if (twin[e] == NONE && plane_orient(p[side_origin(sc->list, e)],
@@ -241,7 +221,7 @@ what_is_seen_is_listed(session *s, const site *p, uint32_t n)
 static void
 take_path(session *s, const site *p, uint32_t n)
 {
-    uint32_t *path = room_for(n);
+    uint32_t *path = room_for(n, sizeof *path);
     uint32_t locations = path_of(p, n, path);
     uint32_t edges = take_number(s, 0, 3 * n, "the number of edges");
     expect(s, failed(s) || edges + 1 == locations || locations < 2,
@@ -299,7 +279,7 @@ turn_around(uint32_t *vertex, uint32_t count)
 static void
 hull_is_right(session *s, const site *p, uint32_t n)
 {
-    uint32_t *vertex = room_for(n);
+    uint32_t *vertex = room_for(n, sizeof *vertex);
     triangle_list list = mesh_at_random(trial_random(s), p, n, false);
     keep_triangles(s, list);
     begin_case(s, 'd', p, n);

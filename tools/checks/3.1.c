@@ -2,25 +2,9 @@
 #include "tools/checks/checker.h"
 #include "tools/checks/diagrams.h"
 #include "tools/checks/meshes.h"
+#include "tools/checks/room.h"
 
 #include <stdlib.h>
-
-static void *
-room_for(size_t count, size_t size)
-{
-    void *room = calloc(count + 1, size);
-    if (room == NULL)
-        exit(1);
-    return room;
-}
-
-static bool
-take_ok(session *s)
-{
-    uint32_t status = take_number(s, 0, 100, "the status");
-    return expect(s, status == TRI_OK, "the function returned the status \"%s\"",
-                  tri_status_text((tri_status)status));
-}
 
 /* Are these sites met one after the other, turning left around p once? */
 static void

@@ -3,29 +3,33 @@
 #include "tools/checks/checker.h"
 #include "tools/checks/meshes.h"
 #include "tools/checks/trees.h"
+#include "tools/checks/room.h"
 
 #include <stdlib.h>
-
-static bool
-take_ok(session *s)
-{
-    uint32_t status = take_number(s, 0, 100, "the status");
-    return expect(s, status == TRI_OK, "the function returned the status \"%s\"",
-                  tri_status_text((tri_status)status));
-}
+#include <string.h>
 
 /* ---- 3.2-a: the trivial algorithm. ---- */
 
-/* Definition 7 for counterclockwise a, b, c: the first point strictly inside, or NONE. */
-static uint32_t
-first_inside(const site *p, uint32_t n, uint32_t a, uint32_t b, uint32_t c)
+static bool
+is_variant(const session *s, const char *name)
 {
+    return strcmp(variant_of(s), name) == 0;
+}
+
+/* Definition 7 for counterclockwise a, b, c: the first point strictly inside, or NONE. In
+ * the variant `farthest` no point may be strictly outside instead. */
+static uint32_t
+first_inside(const session *s, const site *p, uint32_t n, uint32_t a, uint32_t b,
+             uint32_t c)
+{
+    int wrong = is_variant(s, "farthest") ? -1 : +1;
     for (uint32_t d = 0; d < n; d++)
-        if (plane_incircle(p[a], p[b], p[c], p[d]) > 0)
+        if (plane_incircle(p[a], p[b], p[c], p[d]) == wrong)
             return d;
     return NONE;
 }
 
+/* The triangles, counterclockwise if the student's have the orientation asked for. */
 static triangle_list
 ask_triangles(session *s, const site *p, uint32_t n)
 {
@@ -35,6 +39,11 @@ ask_triangles(session *s, const site *p, uint32_t n)
         return (triangle_list){0};
     triangle_list list = take_triangles(s, n, n * n * n);
     take_end(s);
+    for (uint32_t t = 0; is_variant(s, "clockwise") && t < list.count; t++) {
+        vertex_id *c = list.corner[t], second = c[1];
+        c[1] = c[2];
+        c[2] = second;
+    }
     return list;
 }
 
@@ -49,12 +58,14 @@ triangles_are_empty(session *s, const site *p, uint32_t n)
         const vertex_id *c = list.corner[t];
         uint32_t d = NONE;
         if (expect(s, plane_orient(p[c[0]], p[c[1]], p[c[2]]) > 0,
-                   "triangle %lu-%lu-%lu is not counterclockwise", (unsigned long)c[0],
-                   (unsigned long)c[1], (unsigned long)c[2]))
-            d = first_inside(p, n, c[0], c[1], c[2]);
+                   "triangle %lu-%lu-%lu is not %s", (unsigned long)c[0],
+                   (unsigned long)c[1], (unsigned long)c[2],
+                   is_variant(s, "clockwise") ? "clockwise" : "counterclockwise"))
+            d = first_inside(s, p, n, c[0], c[1], c[2]);
         expect(s, failed(s) || d == NONE,
-               "%lu lies inside the circle of triangle %lu-%lu-%lu", (unsigned long)d,
-               (unsigned long)c[0], (unsigned long)c[1], (unsigned long)c[2]);
+               "%lu lies %s the circle of triangle %lu-%lu-%lu", (unsigned long)d,
+               is_variant(s, "farthest") ? "outside" : "inside", (unsigned long)c[0],
+               (unsigned long)c[1], (unsigned long)c[2]);
         for (int i = 0; failed(s) && i < 3; i++)
             show_witness(s, c[i]);
         if (d != NONE)
@@ -82,9 +93,7 @@ static void
 check_all(session *s, const site *p, uint32_t n, uint32_t most_times)
 {
     triangle_list list = ask_triangles(s, p, n);
-    uint32_t *at = calloc((size_t)n + 1, sizeof *at);
-    if (at == NULL)
-        exit(1);
+    uint32_t *at = room_for(n, sizeof *at);
     uint32_t u = cases_locations(p, n, at);
     for (uint32_t i = 0; i < u; i++)
         for (uint32_t j = i + 1; j < u; j++)
@@ -92,14 +101,14 @@ check_all(session *s, const site *p, uint32_t n, uint32_t most_times)
                 uint32_t v[3] = {at[i], at[j], at[k]};
                 int sign = plane_orient(p[v[0]], p[v[1]], p[v[2]]);
                 if (sign == 0 ||
-                    first_inside(p, n, v[0], v[sign > 0 ? 1 : 2],
+                    first_inside(s, p, n, v[0], v[sign > 0 ? 1 : 2],
                                  v[sign > 0 ? 2 : 1]) != NONE)
                     continue;
                 uint32_t times = count_listed(list, p, v);
                 expect(s, times > 0 && times <= most_times,
-                       "triangle %lu-%lu-%lu has an empty circle, and is listed %lu "
-                       "times",
+                       "triangle %lu-%lu-%lu has %s circle, and is listed %lu times",
                        (unsigned long)v[0], (unsigned long)v[1], (unsigned long)v[2],
+                       is_variant(s, "farthest") ? "an enclosing" : "an empty",
                        (unsigned long)times);
                 for (int w = 0; failed(s) && w < 3; w++)
                     show_witness(s, v[w]);
@@ -121,6 +130,19 @@ triangles_come_once(session *s, const site *p, uint32_t n)
 
 /* ---- 3.2-b: minimum spanning trees. ---- */
 
+/* The points as distances are measured: in the variant `metric` a way up is twice as
+ * long as it looks. */
+static site *
+measured(const session *s, const site *p, uint32_t n)
+{
+    site *q = calloc((size_t)n + 1, sizeof *q);
+    if (q == NULL)
+        exit(1);
+    for (uint32_t i = 0; i < n; i++)
+        q[i] = (site){p[i].x, is_variant(s, "metric") ? 2 * p[i].y : p[i].y};
+    return q;
+}
+
 static void
 check_tree(session *s, const site *p, uint32_t n, bool minimum)
 {
@@ -128,7 +150,8 @@ check_tree(session *s, const site *p, uint32_t n, bool minimum)
     tree_edge *edge = calloc((size_t)n + 1, sizeof *edge);
     if (path == NULL || edge == NULL)
         exit(1);
-    triangle_list list = mesh_at_random(trial_random(s), p, n, true);
+    site *q = measured(s, p, n);
+    triangle_list list = mesh_at_random(trial_random(s), q, n, true);
     keep_triangles(s, list);
     begin_case(s, 'b', p, n);
     give_points(s);
@@ -143,10 +166,11 @@ check_tree(session *s, const site *p, uint32_t n, bool minimum)
             edge[k].b = take_number(s, 0, n - 1, "the end of an edge");
         }
         take_end(s);
-        if (!failed(s) && expect_verdict(s, certify_spanning(p, n, edge, count)) &&
+        if (!failed(s) && expect_verdict(s, certify_spanning(q, n, edge, count)) &&
             minimum)
-            expect_verdict(s, certify_minimum(p, n, edge, count));
+            expect_verdict(s, certify_minimum(q, n, edge, count));
     }
+    free(q);
     free(edge);
     free(path);
 }

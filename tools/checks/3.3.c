@@ -1,6 +1,7 @@
 /* 3.3.c - the properties of exercises 3.3-a and 3.3-b: the lifting map. */
 #include "tools/checks/certify.h"
 #include "tools/checks/checker.h"
+#include "tools/checks/room.h"
 
 #include <stdlib.h>
 
@@ -66,15 +67,6 @@ typedef struct surface {
     triangle_list faces;
 } surface;
 
-static void *
-room_for(size_t count, size_t size)
-{
-    void *room = calloc(count + 1, size);
-    if (room == NULL)
-        exit(1);
-    return room;
-}
-
 /* Do all lifted points lie in one plane: at most three, on a line, or on a circle? */
 static bool
 is_flat(const site *p, const uint32_t *at, uint32_t count)
@@ -95,9 +87,7 @@ ask_hull(session *s, const site *p, uint32_t n)
     give_points(s);
     give_numbers(s, at, f.locations);
     if (ask(s)) {
-        uint32_t status = take_number(s, 0, 100, "the status");
-        expect(s, status == TRI_OK, "the function returned the status \"%s\"",
-               tri_status_text((tri_status)status));
+        take_ok(s);
         f.faces = take_triangles(s, n, 2 * n);
         uint32_t faces = is_flat(p, at, f.locations) ? 0 : 2 * f.locations - 4;
         expect(s, failed(s) || f.faces.count == faces,

@@ -3,17 +3,9 @@
 #include "tools/checks/checker.h"
 #include "tools/checks/meshes.h"
 #include "tools/checks/replay.h"
+#include "tools/checks/room.h"
 
 #include <stdlib.h>
-
-static halfedge_id *
-room_for(uint32_t count)
-{
-    halfedge_id *room = calloc((size_t)count + 1, sizeof *room);
-    if (room == NULL)
-        exit(1);
-    return room;
-}
 
 /* A case about a random triangulation; empty when there is none. */
 static triangle_list
@@ -63,7 +55,7 @@ check_sides(session *s, const site *p, uint32_t n, bool hull)
     triangle_list list = give_triangulation(s, 'a', p, n);
     if (list.count == 0 || !ask(s))
         return;
-    halfedge_id *twin = room_for(3 * list.count);
+    halfedge_id *twin = room_for(3 * list.count, sizeof *twin);
     certify_twins(list, twin);
     for (halfedge_id e = 0; e < 3 * list.count && !failed(s); e++)
         for (int side = 0; side < 2; side++) /* e, and the same edge from its other side */
@@ -99,7 +91,8 @@ typedef struct reported {
 static reported
 take_reported(session *s, uint32_t n, uint32_t count)
 {
-    reported r = {count, room_for(count), room_for(count), room_for(n)};
+    reported r = {count, room_for(count, sizeof *r.origin),
+                  room_for(count, sizeof *r.twin), room_for(n, sizeof *r.leaving)};
     uint32_t told = take_number(s, 0, UINT32_MAX, "the number of half-edges");
     expect(s, told == count, "there are %lu half-edges after the flip, and %lu before",
            (unsigned long)told, (unsigned long)count);
@@ -145,7 +138,7 @@ some_flippable(session *s, const site *p, triangle_list list, quadrilateral *q)
 static uint32_t
 count_locations(const site *p, uint32_t n)
 {
-    uint32_t *lowest = room_for(n), count = cases_locations(p, n, lowest);
+    uint32_t *lowest = room_for(n, sizeof *lowest), count = cases_locations(p, n, lowest);
     free(lowest);
     return count;
 }
@@ -298,7 +291,7 @@ replay_all(session *s, const site *p, uint32_t n, triangle_list list, bool neede
 static uint32_t
 count_inner_edges(triangle_list list)
 {
-    halfedge_id *twin = room_for(3 * list.count);
+    halfedge_id *twin = room_for(3 * list.count, sizeof *twin);
     uint32_t sides = 0;
     certify_twins(list, twin);
     for (halfedge_id e = 0; e < 3 * list.count; e++)
@@ -362,9 +355,7 @@ check_path(session *s, const site *p, uint32_t n, bool count)
     give_triangles(s, to);
     if (from.count == 0 || !ask(s))
         return;
-    uint32_t status = take_number(s, 0, 100, "the status");
-    expect(s, status == TRI_OK, "flip_path returned the status \"%s\"",
-           tri_status_text((tri_status)status));
+    take_ok(s);
     triangle_list now = copy_triangles(from);
     keep_triangles(s, now);
     uint32_t flips = replay_all(s, p, n, now, false), u = count_locations(p, n);

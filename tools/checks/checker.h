@@ -97,6 +97,9 @@ const char *instances_of(const session *s);
 /* The next number, from low to high; anything else fails the trial and gives low. */
 uint32_t take_number(session *s, uint32_t low, uint32_t high, const char *what);
 
+/* A tri_status, which must be TRI_OK. */
+bool take_ok(session *s);
+
 /* -1, 0 or +1. */
 int take_sign(session *s, const char *what);
 

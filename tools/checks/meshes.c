@@ -7,20 +7,10 @@
 #include "tools/checks/meshes.h"
 
 #include "tools/checks/cases.h"
+#include "tools/checks/room.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-static void *
-room_for(size_t count, size_t size)
-{
-    void *room = calloc(count + 1, size);
-    if (room == NULL) {
-        fputs("checker: out of memory\n", stderr);
-        exit(1);
-    }
-    return room;
-}
 
 typedef struct edge {
     uint32_t a, b;

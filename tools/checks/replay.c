@@ -1,5 +1,6 @@
 /* replay.c - flips in a list of triangles, slow and plain. */
 #include "tools/checks/replay.h"
+#include "tools/checks/room.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,11 +45,7 @@ triangle_list
 copy_triangles(triangle_list list)
 {
     triangle_list copy = {.count = list.count};
-    copy.corner = calloc((size_t)list.count + 1, sizeof *copy.corner);
-    if (copy.corner == NULL) {
-        fputs("checker: out of memory\n", stderr);
-        exit(1);
-    }
+    copy.corner = room_for(list.count, sizeof *copy.corner);
     if (list.count > 0)
         memcpy(copy.corner, list.corner, list.count * sizeof *list.corner);
     return copy;

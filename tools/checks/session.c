@@ -1,5 +1,6 @@
 /* session.c - one trial: the case, the answer, and what must hold. */
 #include "tools/checks/session.h"
+#include "tools/checks/room.h"
 
 #include <assert.h>
 #include <math.h>
@@ -7,17 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void *
-room_for(size_t count, size_t size)
-{
-    void *room = calloc(count + 1, size);
-    if (room == NULL) {
-        fputs("checker: out of memory\n", stderr);
-        exit(1);
-    }
-    return room;
-}
 
 /* ---- The case. ---- */
 
@@ -185,6 +175,14 @@ take_number(session *s, uint32_t low, uint32_t high, const char *what)
                 (unsigned long)low, (unsigned long)high))
         return low;
     return (uint32_t)word;
+}
+
+bool
+take_ok(session *s)
+{
+    uint32_t status = take_number(s, 0, 100, "the status");
+    return expect(s, status == TRI_OK, "the function returned the status \"%s\"",
+                  tri_status_text((tri_status)status));
 }
 
 int

@@ -2,20 +2,10 @@
 #include "tools/checks/trees.h"
 
 #include "tools/checks/cases.h"
+#include "tools/checks/room.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-static void *
-room_for(size_t count, size_t size)
-{
-    void *room = calloc(count + 1, size);
-    if (room == NULL) {
-        fputs("checker: out of memory\n", stderr);
-        exit(1);
-    }
-    return room;
-}
 
 static uint32_t
 root_of(const uint32_t *parent, uint32_t v)
