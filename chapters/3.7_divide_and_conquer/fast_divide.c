@@ -14,22 +14,21 @@
 /* The greatest power of two of which all coordinates are multiples, and few enough of
  * them: then differences and small determinants are exact. 0 if there is none. */
 static double
-unit_of(const point2 *points, uint32_t n)
+unit_of(const fast_site *site, uint32_t n, fast_box box)
 {
-    double largest = 0;
+    double largest = fmax(fmax(fabs(box.low[0]), fabs(box.low[1])),
+                          fmax(fabs(box.high[0]), fabs(box.high[1])));
     int exponent;
-    for (uint32_t i = 0; i < n; i++) {
-        largest = fmax(largest, fmax(fabs(points[i].x), fabs(points[i].y)));
-    }
     frexp(largest, &exponent);
     if (largest == 0 || exponent < -150 || exponent > 200)
         return 0;
-    double unit = ldexp(1, exponent), least = ldexp(1, exponent - 44);
+    double unit = ldexp(1, exponent), least = ldexp(1, exponent - 44), units = 1 / unit;
     for (uint32_t i = 0; i < n && unit >= least; i++) {
-        double x = points[i].x / unit, y = points[i].y / unit;
+        double x = site[i].x * units, y = site[i].y * units;
         while (unit >= least && ((double)(int64_t)x != x || (double)(int64_t)y != y)) {
             x *= 2;
             y *= 2;
+            units *= 2;
             unit /= 2;
         }
     }
@@ -46,12 +45,16 @@ load(const point2 *points, uint32_t n, fast_site *site)
 }
 
 static void
-triangulate_part(fast_run *run, fast_site *spare, uint32_t few, fast_step *s)
+triangulate_part(const fast_run *all, fast_site *spare, uint32_t few, double unit,
+                 fast_step *s)
 {
-    fast_worker w = {.run = run, .pool = fast_pool_of(s->lo, s->count), .spare = spare,
+    fast_run run = *all;
+    fast_box box = fast_box_around(s->from, s->count);
+    fast_bounds(&run, box.high[0] - box.low[0], box.high[1] - box.low[1], unit);
+    fast_worker w = {.run = &run, .pool = fast_pool_of(s->lo, s->count), .spare = spare,
                      .few = few, .random = random_from_seed(s->lo)};
-    s->part = fast_divide(&w, s->from, s->lo, s->count);
-    fast_pool_close(run, &w.pool);
+    s->part = fast_divide(&w, s->from, s->lo, s->count, box);
+    fast_pool_close(&run, &w.pool);
     s->pool = w.pool;
     s->duplicates = w.duplicates;
 }
@@ -82,22 +85,23 @@ triangulate(const point2 *points, uint32_t n, fast_limits limits, mesh *m)
 {
     fast_run run = {.site = (fast_site *)(void *)m->halfedge};
     fast_plan plan = {0};
-    run.edge = memory_array(n, 6 * sizeof *run.edge);
+    run.edge = memory_array((size_t)6 * n + 1, sizeof *run.edge);
     if (run.edge == NULL)
         return TRI_OUT_OF_MEMORY;
-    double unit = unit_of(points, n);
-    run.exact_turn = 0x1p53 * unit * unit;
-    run.exact_circle = 0x1p27 * unit * unit;
-
     fast_site *spare = run.site + n;
+    run.cw = (halfedge_id *)(void *)spare; /* see fast_order.c take_few */
     load(points, n, run.site);
+    fast_box box = fast_box_around(run.site, n);
+    double unit = unit_of(run.site, n, box);
+    fast_bounds(&run, box.high[0] - box.low[0], box.high[1] - box.low[1], unit);
+
     fast_worker planner = {.run = &run, .spare = spare, .plan = &plan,
                            .few = limits.job, .random = random_from_seed(0)};
-    fast_divide(&planner, run.site, 0, n);
+    fast_divide(&planner, run.site, 0, n, box);
     if (planner.status == TRI_OK) {
         for (uint32_t i = 0; i < plan.size; i++)
             if (plan.step[i].from != NULL)
-                triangulate_part(&run, spare, limits.few, &plan.step[i]);
+                triangulate_part(&run, spare, limits.few, unit, &plan.step[i]);
         fast_step all = run_cuts(&run, &plan);
         m->locations = n - all.duplicates;
         fast_export(&run, n, all.part.first[0], m);
@@ -110,7 +114,7 @@ triangulate(const point2 *points, uint32_t n, fast_limits limits, mesh *m)
 fast_limits
 fast_limits_for(uint32_t n)
 {
-    fast_limits limits = {.few = 8, .job = n / 64 > 2048 ? n / 64 : 2048};
+    fast_limits limits = {.few = 9, .job = n / 128 > 2048 ? n / 128 : 2048};
     return limits;
 }
 

@@ -7,10 +7,12 @@
  */
 #include "chapters/3.7_divide_and_conquer/fast_export.h"
 
+enum { AHEAD = 8000 }; /* so far away, at most, are most neighbours of a half-edge */
+
 static halfedge_id
-next(const fast_edge *edge, halfedge_id e)
+next(const halfedge_id *cw, halfedge_id e)
 {
-    return edge[e ^ 1].cw;
+    return cw[e ^ 1];
 }
 
 /* The sides of the outside become their own next ones: no triangle is found there.
@@ -29,26 +31,31 @@ place_outside(fast_run *run, uint32_t u, uint32_t some_hull_site)
     for (uint32_t i = 0; i < h; i++, place += 3) {
         halfedge_id outside = e ^ 1, after = edge[outside].ccw;
         edge[outside].ccw = place;
-        edge[e].cw = outside;
+        run->cw[e] = outside;
         e = after;
     }
     return h;
 }
 
+/* Whether e is the lowest half-edge of its triangle cannot be predicted: so places are
+ * written in any case, to `nowhere` if it is not. */
 static void
-place_triangles(fast_run *run, halfedge_id halfedges)
+place_triangles(fast_run *run, halfedge_id halfedges, halfedge_id nowhere)
 {
     fast_edge *edge = run->edge;
-    fast_site *site = run->site;
+    const fast_site *site = run->site;
+    const halfedge_id *cw = run->cw;
     halfedge_id place = 0;
     for (halfedge_id e = 0; e < halfedges; e++) {
-        halfedge_id f = next(edge, e), g = next(edge, f);
-        if (e < f && e < g) {
-            edge[e].ccw = place;
-            edge[f].ccw = place + 1;
-            edge[g].ccw = place + 2;
-            place += 3;
-        }
+        FAST_SOON(&cw[e + AHEAD]);
+        FAST_SOON(&edge[e + AHEAD]);
+        FAST_SOON(&site[(e + AHEAD) / 6]);
+        halfedge_id f = next(cw, e), g = next(cw, f);
+        uint32_t lowest = (uint32_t)(e < f) & (uint32_t)(e < g), mask = 0 - lowest;
+        edge[nowhere ^ ((e ^ nowhere) & mask)].ccw = place;
+        edge[nowhere ^ ((f ^ nowhere) & mask)].ccw = place + 1;
+        edge[nowhere ^ ((g ^ nowhere) & mask)].ccw = place + 2;
+        place += 3 * lowest;
         if (edge[e].origin != NONE)
             edge[e].origin = site[edge[e].origin].id;
     }
@@ -94,7 +101,7 @@ fast_export(fast_run *run, uint32_t sites, uint32_t some_hull_site, mesh *m)
     m->triangles = 2 * u - 2;
     halfedge_id halfedges = 6 * sites;
     uint32_t h = place_outside(run, u, some_hull_site);
-    place_triangles(run, halfedges);
+    place_triangles(run, halfedges, halfedges);
     for (uint32_t v = 0; v < sites; v++)
         if (run->site[v].edge != NONE)
             m->leaving[run->site[v].id] = run->edge[run->site[v].edge].ccw;

@@ -12,7 +12,7 @@
 
 #include "chapters/3.7_divide_and_conquer/fast_parts.h"
 
-enum { FAST_GRID_BITS = 10, FAST_GRID_CELLS = 1 << FAST_GRID_BITS };
+enum { FAST_GRID_BITS = 11, FAST_GRID_CELLS = 1 << FAST_GRID_BITS };
 
 typedef struct fast_box {
     double low[2], high[2]; /* along x, along y */

@@ -42,10 +42,11 @@ new_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 static void
 release(fast_run *run, fast_pool *pool, halfedge_id e)
 {
-    fast_edge *edge = run->edge;
     e &= ~(halfedge_id)1;
-    edge[e] = (fast_edge){NONE, pool->first, e ^ 1};
-    edge[e ^ 1] = (fast_edge){NONE, NONE, e};
+    run->edge[e] = (fast_edge){NONE, pool->first};
+    run->edge[e ^ 1].origin = NONE;
+    run->cw[e] = e ^ 1;
+    run->cw[e ^ 1] = e;
     if (pool->first == NONE)
         pool->last = e;
     pool->first = e;
@@ -73,30 +74,29 @@ fast_pool_join(fast_run *run, fast_pool a, fast_pool b)
 /* Links e between the half-edge f and the one counterclockwise of it; all leave the same
  * site. */
 static void
-link_after(fast_edge *edge, halfedge_id f, halfedge_id e)
+link_after(fast_run *run, halfedge_id f, halfedge_id e)
 {
-    halfedge_id g = edge[f].ccw;
-    edge[e].cw = f;
-    edge[e].ccw = g;
-    edge[f].ccw = e;
-    edge[g].cw = e;
+    halfedge_id g = run->edge[f].ccw;
+    run->cw[e] = f;
+    run->edge[e].ccw = g;
+    run->edge[f].ccw = e;
+    run->cw[g] = e;
 }
 
 static void
-link_alone(fast_edge *edge, halfedge_id e)
+link_alone(fast_run *run, halfedge_id e)
 {
-    edge[e].ccw = edge[e].cw = e;
+    run->edge[e].ccw = run->cw[e] = e;
 }
 
 /* Takes e away from its origin, which has other edges. */
 static void
 detach(fast_run *run, halfedge_id e)
 {
-    fast_edge *edge = run->edge;
-    halfedge_id f = edge[e].cw, g = edge[e].ccw;
-    fast_site *origin = &run->site[edge[e].origin];
-    edge[f].ccw = g;
-    edge[g].cw = f;
+    halfedge_id f = run->cw[e], g = run->edge[e].ccw;
+    fast_site *origin = &run->site[run->edge[e].origin];
+    run->edge[f].ccw = g;
+    run->cw[g] = f;
     if (origin->edge == e)
         origin->edge = g;
 }
@@ -110,6 +110,20 @@ delete_edge(fast_run *run, fast_pool *pool, halfedge_id e)
 }
 
 /* ---- Questions. ---- */
+
+/* Each is tried in rounded arithmetic. The answer stands when the determinant exceeds
+ * what roundings can have changed for any sites in the box (P2), or when all numbers
+ * are whole multiples of a unit and so few that none of them was rounded (P3). */
+
+void
+fast_bounds(fast_run *run, double width, double height, double unit)
+{
+    double most = 0x1.01p0 * (width * width + height * height); /* squared length */
+    run->sure_turn = 0x1p-51 * most + DBL_MIN;
+    run->sure_circle = 0x1.1p-48 * most * most + 0x1p-998 * (1 + most);
+    run->whole_turn = 0x1p53 * unit * unit;
+    run->whole_circle = 0x1p27 * unit * unit;
+}
 
 static point2
 at(const fast_run *run, uint32_t site)
@@ -130,21 +144,54 @@ see(point2 l, seen r, point2 p)
     return (seen){x, y, x * x + y * y, r.x * y - r.y * x};
 }
 
-/* Is p strictly left of the line from l to r? Half the sum of the squared lengths is
- * at least each product in the determinant (P14). */
-static inline bool
-is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, seen rs, seen ps)
+/* The sign of orient2d when the rounded determinant is too small to be sure. */
+static int
+near_turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r, double det)
 {
-    double size = rs.lift + ps.lift;
-    double bound = 0x1p-52 * size + DBL_MIN;
+    point2 a = at(run, p), b = at(run, q), c = at(run, r);
+    double x = fmax(fabs(a.x - c.x), fabs(b.x - c.x));
+    double y = fmax(fabs(a.y - c.y), fabs(b.y - c.y));
+    if (2 * x * y < run->whole_turn)
+        return (det > 0) - (det < 0);
+    return cross_sign(a, c, b, c);
+}
+
+/* Is p strictly left of the line from l to r? */
+static inline bool
+is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, seen ps)
+{
     PREDICATE_COUNT(orient2d);
-    if (ps.turn > bound)
+    if (ps.turn > run->sure_turn)
         return true;
-    if (-ps.turn > bound)
+    if (ps.turn < -run->sure_turn)
         return false;
-    if (size < run->exact_turn)
-        return ps.turn > 0;
-    return cross_sign(at(run, l), at(run, p), at(run, r), at(run, p)) > 0;
+    return near_turn(run, l, r, p, ps.turn) > 0;
+}
+
+/* The sign of orient2d. */
+static inline int
+turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r)
+{
+    point2 a = at(run, p), b = at(run, q), c = at(run, r);
+    double det = (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
+    PREDICATE_COUNT(orient2d);
+    if (det > run->sure_turn)
+        return +1;
+    if (det < -run->sure_turn)
+        return -1;
+    return near_turn(run, p, q, r, det);
+}
+
+/* Does q lie strictly inside the circle of l, r and p, when it is hard to say? */
+static bool
+near_circle(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q,
+            double det, double lifts)
+{
+    if (lifts < run->whole_circle) {
+        PREDICATE_COUNT(incircle);
+        return det > 0;
+    }
+    return incircle(at(run, l), at(run, r), at(run, p), at(run, q)) > 0;
 }
 
 /* Does q lie strictly inside the circle of l, r and p? Requires: p is above lr. */
@@ -154,29 +201,15 @@ is_inside(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q, s
 {
     double det = ps.lift * qs.turn - qs.lift * ps.turn -
                  rs.lift * (ps.x * qs.y - ps.y * qs.x);
-    double sum = rs.lift + ps.lift + qs.lift;
-    double size = rs.lift * (ps.lift + qs.lift) + ps.lift * qs.lift;
-    double bound = 0x1.6p-50 * size + 0x1p-1000 * (1 + sum);
-    if (det > bound) {
+    if (det > run->sure_circle) {
         PREDICATE_COUNT(incircle);
         return true;
     }
-    if (-det > bound) {
+    if (det < -run->sure_circle) {
         PREDICATE_COUNT(incircle);
         return false;
     }
-    if (sum < run->exact_circle) {
-        PREDICATE_COUNT(incircle);
-        return det > 0;
-    }
-    return incircle(at(run, l), at(run, r), at(run, p), at(run, q)) > 0;
-}
-
-/* The sign of orient2d, for the walk to the tangent. */
-static int
-turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r)
-{
-    return orient2d(at(run, p), at(run, q), at(run, r));
+    return near_circle(run, l, r, p, q, det, rs.lift + ps.lift + qs.lift);
 }
 
 /* ---- Two and three sites. ---- */
@@ -186,8 +219,8 @@ static halfedge_id
 lone_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 {
     halfedge_id e = new_edge(run, pool, p, q);
-    link_alone(run->edge, e);
-    link_alone(run->edge, e ^ 1);
+    link_alone(run, e);
+    link_alone(run, e ^ 1);
     run->site[p].edge = e;
     run->site[q].edge = e ^ 1;
     return e;
@@ -205,14 +238,14 @@ fast_few(fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count)
         return;
     int side = turn(run, a, b, c);
     halfedge_id bc = new_edge(run, pool, b, c);
-    link_after(run->edge, ab ^ 1, bc);
-    link_alone(run->edge, bc ^ 1);
+    link_after(run, ab ^ 1, bc);
+    link_alone(run, bc ^ 1);
     run->site[c].edge = bc ^ 1;
     if (side == 0)
         return;
     halfedge_id ca = new_edge(run, pool, c, a);
-    link_after(run->edge, bc ^ 1, ca);
-    link_after(run->edge, ab, ca ^ 1);
+    link_after(run, bc ^ 1, ca);
+    link_after(run, ab, ca ^ 1);
     if (side > 0) {
         run->site[b].edge = bc;
         run->site[c].edge = ca;
@@ -236,7 +269,7 @@ lower_tangent(const fast_run *run, uint32_t l, uint32_t r)
     halfedge_id left = run->site[l].edge, right = run->site[r].edge;
     for (;;) {
         if (left != NONE) {
-            halfedge_id before = edge[left].cw ^ 1;
+            halfedge_id before = run->cw[left] ^ 1;
             uint32_t p = edge[before].origin;
             if (turn(run, p, l, r) < 0) {
                 left = before;
@@ -262,9 +295,9 @@ link_outside(fast_run *run, halfedge_id e)
 {
     halfedge_id along = run->site[run->edge[e].origin].edge;
     if (along == NONE)
-        link_alone(run->edge, e);
+        link_alone(run, e);
     else
-        link_after(run->edge, run->edge[along].cw, e);
+        link_after(run, run->cw[along], e);
 }
 
 /* ---- The merge. ---- */
@@ -287,7 +320,7 @@ fast_merge(fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
         halfedge_id ly = edge[lr].ccw;                          // Step 3
         uint32_t y = edge[ly ^ 1].origin;
         seen ys = see(eye, rs, at(run, y));
-        bool left = y != r && is_above(run, l, r, y, rs, ys);
+        bool left = y != r && is_above(run, l, r, y, ys);
         while (left) {
             halfedge_id lz = edge[ly].ccw;
             uint32_t z = edge[lz ^ 1].origin;
@@ -302,12 +335,12 @@ fast_merge(fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
             ys = zs;
         }
 
-        halfedge_id rx = edge[lr ^ 1].cw;                       // Step 4
+        halfedge_id rx = run->cw[lr ^ 1];                       // Step 4
         uint32_t x = edge[rx ^ 1].origin;
         seen xs = see(eye, rs, at(run, x));
-        bool right = x != l && is_above(run, l, r, x, rs, xs);
+        bool right = x != l && is_above(run, l, r, x, xs);
         while (right) {
-            halfedge_id rz = edge[rx].cw;
+            halfedge_id rz = run->cw[rx];
             uint32_t z = edge[rz ^ 1].origin;
             if (z == l)
                 break;
@@ -324,14 +357,14 @@ fast_merge(fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
             break;
         if (!left || (right && is_inside(run, l, r, y, x, rs, ys, xs))) { // Step 6
             halfedge_id lx = new_edge(run, pool, l, x);
-            link_after(edge, lr, lx);
-            link_after(edge, edge[rx ^ 1].cw, lx ^ 1);
+            link_after(run, lr, lx);
+            link_after(run, run->cw[rx ^ 1], lx ^ 1);
             lr = lx;
             r = x;
         } else {
             halfedge_id yr = new_edge(run, pool, y, r);
-            link_after(edge, ly ^ 1, yr);
-            link_after(edge, rx, yr ^ 1);
+            link_after(run, ly ^ 1, yr);
+            link_after(run, rx, yr ^ 1);
             lr = yr;
             l = y;
         }

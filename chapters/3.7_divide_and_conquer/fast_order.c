@@ -55,12 +55,6 @@ cut(fast_worker *w, int axis, fast_part a, fast_part b)
     return a; /* nobody asks */
 }
 
-static int
-longer_side(fast_box b)
-{
-    return b.high[0] - b.low[0] >= b.high[1] - b.low[1] ? 0 : 1;
-}
-
 /* ---- A few sites: sorted once, and cut in the middle. ---- */
 
 static void
@@ -124,7 +118,7 @@ divide_sorted(fast_worker *w, uint32_t lo, uint32_t count, int axis)
 
 /* Triangulates sites without a further thought about where to cut, or writes it down. */
 static fast_part
-take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count)
+take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int axis)
 {
     if (w->plan != NULL) {
         if (w->status == TRI_OK)
@@ -136,7 +130,6 @@ take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count)
     if (from != site)
         for (uint32_t i = 0; i < count; i++)
             site[i] = from[i];
-    int axis = longer_side(fast_box_around(site, count));
     sort_few(site, count, axis);
     uint32_t kept = drop_duplicates(site, count);
     w->duplicates += count - kept;
@@ -188,22 +181,26 @@ cut_at_median(fast_worker *w, fast_site *site, uint32_t count, int axis)
     }
 }
 
+static fast_part divide_more(fast_worker *w, fast_site *from, uint32_t lo,
+                             uint32_t count, int axis);
+
 static fast_part
-divide_at_median(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count)
+divide_at_median(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count,
+                 fast_box box)
 {
-    int axis = longer_side(fast_box_around(from, count));
+    int axis = box.high[0] - box.low[0] >= box.high[1] - box.low[1] ? 0 : 1;
     uint32_t half = cut_at_median(w, from, count, axis);
     if (half == 0) /* one location */
-        return take_few(w, from, lo, count);
-    fast_part p = fast_divide(w, from, lo, half);
-    fast_part q = fast_divide(w, from + half, lo + half, count - half);
+        return take_few(w, from, lo, count, axis);
+    fast_part p = divide_more(w, from, lo, half, 1 - axis);
+    fast_part q = divide_more(w, from + half, lo + half, count - half, 1 - axis);
     return cut(w, axis, p, q);
 }
 
 /* ---- Many sites, sorted into cells. ---- */
 
-/* The sites of the 2^bits cells from number `first` on. `many` in one cell are too
- * many for another grid. */
+/* The sites of the 2^bits cells from number `first` on. With more than `many` in one cell
+ * another grid might help as little: that cell is cut at its median first. */
 static fast_part
 divide_cells(fast_worker *w, const fast_cells *cells, fast_site *from, uint32_t lo,
              uint32_t first, int bits, uint32_t many)
@@ -211,25 +208,27 @@ divide_cells(fast_worker *w, const fast_cells *cells, fast_site *from, uint32_t 
     uint32_t begin = first > 0 ? cells->end[first - 1] : 0;
     for (;;) {
         uint32_t count = cells->end[first + (1u << bits) - 1] - begin;
-        if (count <= w->few || bits == 0) {
-            if (count > w->few && count >= many)
-                return divide_at_median(w, from + begin, lo + begin, count);
-            return fast_divide(w, from + begin, lo + begin, count);
-        }
-        bits--;
-        uint32_t middle = cells->end[first + (1u << bits) - 1];
+        if (bits == 0 && count > many && count > w->few)
+            return divide_at_median(w, from + begin, lo + begin, count,
+                                    fast_box_around(from + begin, count));
+        if (bits == 0)
+            return divide_more(w, from + begin, lo + begin, count, 1 - cells->axis[0]);
+        int axis = cells->axis[--bits];
+        if (count <= w->few)
+            return take_few(w, from + begin, lo + begin, count, axis);
+        uint32_t second = first + (1u << bits), middle = cells->end[second - 1];
         if (middle == begin) {
-            first += 1u << bits;
+            first = second;
         } else if (middle < begin + count) {
             fast_part p = divide_cells(w, cells, from, lo, first, bits, many);
-            fast_part q = divide_cells(w, cells, from, lo, first + (1u << bits), bits,
-                                       many);
-            return cut(w, cells->axis[bits], p, q);
+            fast_part q = divide_cells(w, cells, from, lo, second, bits, many);
+            return cut(w, axis, p, q);
         }
     }
 }
 
-/* Half of the cells would be empty with one site a cell; sorting a few is cheap. */
+/* Few enough cells for two or four sites in each, if they are spread evenly: to sort a
+ * few is cheap. */
 static int
 bits_for(const fast_worker *w, uint32_t count)
 {
@@ -240,17 +239,26 @@ bits_for(const fast_worker *w, uint32_t count)
 }
 
 fast_part
-fast_divide(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count)
+fast_divide(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, fast_box box)
 {
-    if (count <= w->few)
-        return take_few(w, from, lo, count);
-    fast_cells cells;
-    fast_box box = fast_box_around(from, count);
-    if (w->plan != NULL)
-        box = fast_box_of_most(from, count, box);
+    enum { TOO_FEW_FOR_A_GRID = 32 };
+    if (count < TOO_FEW_FOR_A_GRID)
+        return divide_at_median(w, from, lo, count, box);
+    fast_box grid = w->plan != NULL ? fast_box_of_most(from, count, box) : box;
     fast_site *here = w->run->site + lo, *there = w->spare + lo;
     fast_site *to = from == here ? there : here;
-    if (count < 32 || !fast_grid_sort(&cells, box, bits_for(w, count), from, to, count))
-        return divide_at_median(w, from, lo, count);
+    fast_cells cells;
+    if (!fast_grid_sort(&cells, grid, bits_for(w, count), from, to, count))
+        return divide_at_median(w, from, lo, count, box);
     return divide_cells(w, &cells, to, lo, 0, cells.bits, count / 8);
+}
+
+/* Divides what is left of a part, unless it is small; then it is sorted along the axis,
+ * which is most likely its longer side. */
+static fast_part
+divide_more(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int axis)
+{
+    if (count <= w->few)
+        return take_few(w, from, lo, count, axis);
+    return fast_divide(w, from, lo, count, fast_box_around(from, count));
 }

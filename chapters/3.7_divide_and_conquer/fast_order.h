@@ -5,7 +5,7 @@
 #ifndef CHAPTERS_3_7_FAST_ORDER_H
 #define CHAPTERS_3_7_FAST_ORDER_H
 
-#include "chapters/3.7_divide_and_conquer/fast_parts.h"
+#include "chapters/3.7_divide_and_conquer/fast_grid.h"
 #include "lib/random.h"
 
 /* Up to how many sites make a part of a worker's (job), and one that is sorted instead of
@@ -50,8 +50,10 @@ typedef struct fast_worker {
 } fast_worker;
 
 /* Triangulates the sites from[0 .. count-1], which become numbers lo .. lo+count-1 in
- * some order; duplicates leave gaps behind the others. */
-fast_part fast_divide(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count);
+ * some order; duplicates leave gaps behind the others. The box is the smallest around
+ * them. */
+fast_part fast_divide(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count,
+                      fast_box box);
 
 /* Merges two parts, the first before the second along the axis. */
 fast_part fast_cut(fast_run *run, fast_pool *pool, int axis, fast_part a, fast_part b);

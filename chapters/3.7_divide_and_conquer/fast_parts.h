@@ -18,6 +18,14 @@
 
 #include "lib/mesh.h"
 
+/* Tells the machine that what p points to will be wanted soon: it may be far away. p need
+ * not point to anything. */
+#if defined __GNUC__
+#define FAST_SOON(p) __builtin_prefetch(p)
+#else
+#define FAST_SOON(p) ((void)0)
+#endif
+
 /* A location, in its place. */
 typedef struct fast_site {
     double x, y;
@@ -27,15 +35,19 @@ typedef struct fast_site {
 } fast_site;
 
 typedef struct fast_edge {
-    uint32_t origin;     /* the number of a site; NONE: this half-edge is not in use */
-    halfedge_id ccw, cw; /* the next ones around the origin; not in use: see fast_pool */
+    uint32_t origin; /* the number of a site; NONE: this half-edge is not in use */
+    halfedge_id ccw; /* the next one around the origin; its cw stands in an array of its
+                        own, since that is all that fast_export.c looks for */
 } fast_edge;
 
-/* What everybody reads. */
+/* What a worker reads. The bounds say when a rounded determinant has the right sign:
+ * see fast_merge.c. */
 typedef struct fast_run {
     fast_site *site;
     fast_edge *edge;
-    double exact_turn, exact_circle; /* see fast_merge.c */
+    halfedge_id *cw; /* half-edge -> the next one clockwise around the origin */
+    double sure_turn, sure_circle;
+    double whole_turn, whole_circle;
 } fast_run;
 
 /* The half-edges of a part that are not in use. Those that have been: a list, linked by
@@ -65,6 +77,10 @@ fast_same_place(const fast_site *p, const fast_site *q)
 {
     return p->x == q->x && p->y == q->y;
 }
+
+/* Fills in the sure bounds, for sites in a box of that width and height; and the whole
+ * ones, for coordinates that are whole multiples of the unit (0: of no unit). */
+void fast_bounds(fast_run *run, double width, double height, double unit);
 
 /* The unused half-edges of sites lo .. lo+count-1. */
 fast_pool fast_pool_of(uint32_t lo, uint32_t count);
