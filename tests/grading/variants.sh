@@ -26,6 +26,8 @@ try() {
 }
 
 sweep=chapters/2.3_line_sweep/sweep.c
+circle=chapters/3.2_empty_circumcircle/empty_circle.c
+tree_of=chapters/3.2_empty_circumcircle/emst.c
 exact=chapters/3.4_primitives/exact.c
 try 2.3-a from-right $sweep '/^merge_runs/,/^}/s/<= 0/>= 0/'
 try 2.3-d clockwise $sweep '/^hull_vertices/,/^}/{
@@ -33,5 +35,15 @@ try 2.3-d clockwise $sweep '/^hull_vertices/,/^}/{
 }'
 try 3.4-a y-down $exact '/^answer/,/^}/s/return sign/return -sign/'
 try 3.4-b y-down $exact '/^answer/,/^}/s/return sign/return -sign/'
+try 3.2-a clockwise $circle '/^append_triangle/,/^}/{
+    s/corner\[1\] = b/corner[1] = c/
+    s/corner\[2\] = c/corner[2] = b/
+}'
+try 3.2-a farthest $circle '/^has_empty_circle/,/^}/s/> 0/< 0/'
+try 3.2-b metric $tree_of '/^emst/,/^{/s/^{/{\
+    point2 *scaled = memory_array(m->points, sizeof *scaled);\
+    for (uint32_t i = 0; i < m->points; i++)\
+        scaled[i] = (point2){points[i].x, 2 * points[i].y};\
+    points = scaled;/'
 rm -rf "$tree"
 exit $status
