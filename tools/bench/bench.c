@@ -14,11 +14,12 @@
 #include <unistd.h>
 
 static const char usage[] =
-    "usage: bench [-r RUNS] [-s SECONDS] [-t SECONDS] [-o FOLDER]\n"
+    "usage: bench [-a] [-r RUNS] [-s SECONDS] [-t SECONDS] [-o FOLDER]\n"
     "             [SIZE | DISTRIBUTION | NAME]...\n"
     "\n"
     "Times of the algorithms, and of the peers in FOLDER/peers, on points of several\n"
     "distributions, beside those of sorting the points.\n"
+    "  -a          the aims, too, when something is named; else they are there\n"
     "  -r RUNS     at most so many runs of each (5 if not given)\n"
     "  -s SECONDS  no further run of one that has taken so long in all (2)\n"
     "  -t SECONDS  a run is stopped after that (10)\n"
@@ -30,7 +31,7 @@ static const char usage[] =
     "time of the program itself (user), the least of all runs; the median and the time\n"
     "on the wall stand beside it. Answers are certified, off the clock, in the first\n"
     "run; the memory is what is held beyond the points, per point.\n"
-    "At the end a line PASS or FAIL for each of the project's aims.\n"
+    "The aims of the project are lines PASS or FAIL at the end.\n"
     "\n"
     "Exit status: 0 all has been measured, or stopped at a limit; 1 an algorithm has\n"
     "failed or is wrong (a peer may: then its line says so); 2 the program cannot run.\n";
@@ -246,8 +247,10 @@ read_arguments(bench *b, int argc, char **argv)
     bool help = false;
     for (int i = 1; i < argc; i++)
         help = help || strcmp(argv[i], "--help") == 0;
-    for (int option; !help && (option = getopt(argc, argv, "hr:s:t:o:")) != -1;)
-        if (option == 'r')
+    for (int option; !help && (option = getopt(argc, argv, "har:s:t:o:")) != -1;)
+        if (option == 'a')
+            b->aims = true;
+        else if (option == 'r')
             b->runs = read_count(optarg, MOST_RUNS);
         else if (option == 's')
             b->spend = read_count(optarg, 86400);
@@ -258,12 +261,13 @@ read_arguments(bench *b, int argc, char **argv)
         else if (option == 'h')
             help = true;
         else
-            refuse("the options are", "-r, -s, -t and -o");
+            refuse("the options are", "-a, -r, -s, -t and -o");
     find_contenders(b);
     if (help) {
         print_help(b);
         exit(0);
     }
+    b->aims = b->aims || optind == argc;
     while (optind < argc)
         read_word(b, &names, argv[optind++]);
     keep_named(b, &names);
@@ -291,7 +295,8 @@ main(int argc, char **argv)
     for (int s = 0; s < b.sizes; s++)
         print_summary(&b, s);
     draw_plots(&b);
-    print_targets(&b);
+    if (b.aims)
+        print_targets(&b);
     printf("\nall numbers: %s; plots beside it\n", path);
     return fclose(b.csv) == 0 && well ? 0 : 1;
 }

@@ -46,6 +46,7 @@ typedef struct bench {
     unsigned runs, seconds; /* at most so many runs of a cell, of so long a time */
     double spend;           /* no further run when a cell's have taken this together */
     const char *folder;
+    bool aims; /* shall be looked at, too */
     contender contender[MOST_CONTENDERS]; /* the yardstick first */
     int contenders;
     const distribution *input[MOST_INPUTS];

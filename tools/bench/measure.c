@@ -18,14 +18,12 @@
 /* ---- What the child does. ---- */
 
 /* A sort needs a new copy of the points for each round; all are made before the clock
- * starts, and are this many points together, or one copy. */
-enum { COPIED_POINTS = 4000000 };
-
+ * starts. */
 static run
 sort_here(const point2 *points, uint32_t n)
 {
     run r = {.end = RUN_FAILED};
-    size_t most = 1 + COPIED_POINTS / n, round = 0;
+    size_t most = stopwatch_copies(n), round = 0;
     point2 *copy = memory_array(most * n, sizeof *copy);
     if (copy == NULL) {
         fprintf(stderr, "bench: %s\n", tri_status_text(TRI_OUT_OF_MEMORY));

@@ -7,8 +7,6 @@
 
 #include <stdio.h>
 
-enum { COPIED_POINTS = 4000000 }; /* as in measure.c */
-
 static answer
 certify(const text_points *in)
 {
@@ -41,7 +39,7 @@ main(int argc, char **argv)
         fprintf(stderr, "%s: %s\n", argv[1], error.text);
         return 2;
     }
-    size_t rounds = 1 + COPIED_POINTS / (in.count + 1);
+    size_t rounds = stopwatch_copies(in.count);
     if (!peer_prepare(in.points, in.count, rounds))
         return 1;
     stopwatch w = stopwatch_start(stopwatch_least(in.count), rounds);
