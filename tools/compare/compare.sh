@@ -35,21 +35,25 @@ $1 == "uniform" && $2 == 131072 {
 echo "measuring times"
 "$compare/times" "$compare" "${COMPARE_MOST-262144}" >/dev/null
 awk -F, '
-NR > 1 { n = n < $2 ? $2 : n }
-NR > 1 && !($1 in of) { of[$1] = ++distributions; head = head " " $1 " |" }
-NR > 1 && !($3 in row) { row[$3] = ++rows; name[rows] = $3 }
-NR > 1 { ratio[$3, $1, $2] = $6 }
-END {
-    split(head, d, / \|/)
-    print n " points\n| |" head
-    for (i = 1; i <= rows; i++) {
-        line = "| " name[i] " |"
-        for (k = 1; k <= distributions; k++) {
-            sub(/^ /, "", d[k])
-            cell = ratio[name[i], d[k], n]
-            line = line " " (cell == "" ? "-" : cell) " |"
-        }
-        print line
-    }
-}' "$compare/times.csv"
+NR > 1 {
+    least = NR == 2 || $2 < least ? $2 : least
+    most = $2 > most ? $2 : most
+    if (!($1 in seen)) of[++distributions] = $1
+    if (!($3 in seen)) who[++rows] = $3
+    seen[$1]; seen[$3]
+    ratio[$3, $1, $2] = $6
+}
+function cells(i, n,   k, line) { # "-": not tried, or given up
+    for (k = 1; k <= distributions; k++)
+        line = line " " ((who[i], of[k], n) in ratio ? ratio[who[i], of[k], n] : "-") " |"
+    return line
+}
+function table(n,   i, head) {
+    for (i = 1; i <= distributions; i++) head = head " " of[i] " |"
+    print "| " n " points |" head
+    gsub(/[a-z-]+/, "---", head)
+    print "|---|" head
+    for (i = 1; i <= rows; i++) print "| " who[i] " |" cells(i, n)
+}
+END { table(least); table(most) }' "$compare/times.csv"
 echo "the times themselves: $compare/times.csv, drawn: $compare/times.svg"
