@@ -4,7 +4,8 @@
 #   1. every test with ten times as many trials;
 #   2. the tests of 3.4 built by gcc and clang without and with optimisation, for this
 #      very processor, with contraction where the filters are inlined, and for 32 bits;
-#   3. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
+#   3. large inputs, up to a million points (tests/run_sizes.sh);
+#   4. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
 #
 # What a machine lacks is skipped, with a sentence. Ends with "N passed, N failed".
 set -u
@@ -66,6 +67,11 @@ for compiler in gcc clang; do
 done
 
 # ---- 3 ----
+
+echo "--- large inputs"
+tests/run_sizes.sh "$build" | note sizes
+
+# ---- 4 ----
 
 seconds=${FUZZ_SECONDS-60}
 echo "--- the readers of files, fuzzed for $seconds s"
