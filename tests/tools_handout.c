@@ -168,6 +168,7 @@ static const char *const checker =
 static const char *const driver =
     "#include \"chapters/2.3_a/a.h\"\n"
     "#include \"lib/todo.h\"\n"
+    "#include \"tools/checks/wire.h\"\n"
     "#include <stdio.h>\n"
     "#include <stdlib.h>\n"
     "static char exercise;\n"
@@ -276,7 +277,11 @@ plant(const char *folder_name)
     write_file("tools/checks/checker.h", "#include \"lib/one.h\"\nenum { ACCEPT = 42 };\n");
     write_file("tools/checks/checker.c", checker);
     write_file("tools/checks/2.3.c", "#include \"tools/checks/checker.h\"\n");
+    write_file("tools/checks/wire.h", "/* wire.h */\n");
     write_file("tools/checks/wire.c", "extern int wire;\n");
+    write_file("tools/checks/more.c", "#include \"tools/checks/wire.h\"\nextern int more;\n");
+    write_file("tools/checks/other.c", "#include \"tests/other.h\"\n");
+    write_file("tools/checks/3.1.c", "#include \"tools/checks/checker.h\"\n");
     write_file("tools/checks/student/driver.c", driver);
     write_file("tools/checks/student/2.3.c", "extern int more;\n");
 }
@@ -297,8 +302,8 @@ solutions_and_nothing_else_are_taken_out(void)
           "./Makefile ./README.md ./assignment.ini ./assignment.mk ./chapters/2.3_a/README.md "
           "./chapters/2.3_a/a.c ./chapters/2.3_a/a.h ./chapters/2.3_a/figures/x.svg "
           "./checks/2.3.c ./checks/checker.c ./checks/checker.h ./checks/hint.sh "
-          "./checks/run.sh ./checks/student/2.3.c ./checks/student/driver.c "
-          "./checks/submit.c ./checks/ustar.c ./checks/ustar.h ./checks/wire.c "
+          "./checks/more.c ./checks/run.sh ./checks/student/2.3.c ./checks/student/driver.c "
+          "./checks/submit.c ./checks/ustar.c ./checks/ustar.h ./checks/wire.c ./checks/wire.h "
           "./docs/LICENSE ./lib/one.c ./lib/one.h ./lib/part.c ./lib/todo.h ") == 0, "%s",
           said);
     CLAIM("handout.outside", run("grep -rn 'tools/' out/t") == 1, "%s", said);

@@ -87,58 +87,52 @@ collect_included(handout *h)
     }
 }
 
-/* ---- The library: what is included, and what that consists of. ---- */
+/* ---- Folders of which a tree has what it includes, and what that consists of. ---- */
 
-/* Does the tree have every header of the library that this source includes? */
+/* Does the source include headers of this folder, and does the tree have them all? */
 static bool
-has_all_includes(const tree *t, const char *bytes)
+has_all_includes(const tree *t, const char *bytes, const char *folder)
 {
     const char *included;
-    while ((included = next_include(&bytes)) != NULL)
-        if (begins_with(included, "lib/") && tree_find(t, included) == NULL)
+    bool some = false;
+    while ((included = next_include(&bytes)) != NULL) {
+        if (!begins_with(included, folder))
+            continue;
+        if (tree_find(t, included) == NULL)
             return false;
-    return true;
+        some = true;
+    }
+    return some;
 }
 
 /* A header brings the source of its name with it. A source without a header of its own
  * comes when all its headers have come: it is a further part of one of them. */
 static void
-collect_library(handout *h)
+collect_included_from(tree *t, const char *root, const char *folder)
 {
     tree all = {0};
     size_t before;
-    tree_copy_all(&all, h->project.root, "lib/*.[ch]", "", "");
+    tree_copy_all(&all, root, format("%s*.[ch]", folder), "", "");
     do {
-        before = h->tree.files;
-        for (size_t i = 0; i < h->tree.files; i++) {
-            const char *rest = h->tree.file[i].bytes, *included;
+        before = t->files;
+        for (size_t i = 0; i < t->files; i++) {
+            const char *rest = t->file[i].bytes, *included;
             while ((included = next_include(&rest)) != NULL)
-                if (begins_with(included, "lib/"))
-                    tree_copy(&h->tree, h->project.root, included, included);
+                if (begins_with(included, folder))
+                    tree_copy(t, root, included, included);
         }
         for (size_t i = 0; i < all.files; i++) {
             const char *path = all.file[i].path, *bytes = all.file[i].bytes;
             const char *header = format("%.*s.h", (int)strlen(path) - 2, path);
-            if (tree_find(&all, header) != NULL ? tree_find(&h->tree, header) != NULL
-                                                : has_all_includes(&h->tree, bytes))
-                tree_copy(&h->tree, h->project.root, path, path);
+            bool section = strspn(path + strlen(folder), "0123456789.") > 0;
+            if (tree_find(&all, header) != NULL ? tree_find(t, header) != NULL
+                : !section && has_all_includes(t, bytes, folder))
+                tree_copy(t, root, path, path);
         }
-    } while (h->tree.files > before);
+    } while (t->files > before);
 }
 
 /* ---- The checks. ---- */
-
-/* In the tree the folder tools/checks is checks. */
-static void
-rename_includes(tree *t)
-{
-    for (size_t i = 0; i < t->files; i++) {
-        if (!begins_with(t->file[i].path, "checks/"))
-            continue;
-        const char *bytes = replace_all(t->file[i].bytes, "tools/checks/", "checks/");
-        tree_put(t, t->file[i].path, replace_all(bytes, "tools/handout/", "checks/"));
-    }
-}
 
 /* The instances of 3.4 come with their signs: the program that knows them needs what the
  * project has for its own tests, and stays here. */
@@ -148,33 +142,43 @@ collect_signs(handout *h)
     const char *path = format("%s/signs", h->scratch);
     const char *const signs[] = {h->signs, "1", NULL};
     if (run_program(".", path, signs) != 0)
-        refuse("%s does not run: make %s", h->signs, "build/signs");
+        refuse("%s does not run; make it first", h->signs);
     tree_put(&h->tree, "checks/3.4.instances", file_bytes(path, NULL));
+}
+
+/* A file of the project's folder tools/, which in the tree is the folder checks/. */
+static void
+put_check(handout *h, const tree_file *f, const char *folder)
+{
+    const char *bytes = replace_all(f->bytes, "tools/checks/", "checks/");
+    tree_put(&h->tree, format("checks/%s", f->path + strlen(folder)),
+             replace_all(bytes, "tools/handout/", "checks/"));
 }
 
 static void
 collect_checks(handout *h)
 {
     const char *root = h->project.root;
-    tree_copy_all(&h->tree, root, "tools/checks/[a-z]*.[ch]", "tools/checks", "checks");
-    tree_remove(&h->tree, "checks/signs.c");
-    tree_copy_all(&h->tree, root, "tools/checks/student/[a-z]*.[ch]", "tools/checks",
-                  "checks");
-    tree_copy_all(&h->tree, root, "tools/checks/student/opaque/*/*.h", "tools/checks",
-                  "checks");
-    tree_copy_all(&h->tree, root, "tools/checks/student/opaque/*/*/*.h", "tools/checks",
-                  "checks");
-    tree_copy_all(&h->tree, root, "tools/handout/ustar.[ch]", "tools/handout", "checks");
+    tree checks = {0}, archive = {0};
+    tree_copy(&checks, root, "tools/checks/checker.c", "tools/checks/checker.c");
+    tree_copy_all(&checks, root, "tools/checks/student/[a-z]*.[ch]", "", "");
+    tree_copy_all(&checks, root, "tools/checks/student/opaque/*/*.h", "", "");
+    tree_copy_all(&checks, root, "tools/checks/student/opaque/*/*/*.h", "", "");
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
-        if (e->role != ROLE_ASKED)
-            continue;
-        tree_copy(&h->tree, root, format("tools/checks/%s.c", e->section),
-                  format("checks/%s.c", e->section));
-        tree_copy(&h->tree, root, format("tools/checks/student/%s.c", e->section),
-                  format("checks/student/%s.c", e->section));
+        const char *own = format("tools/checks/%s.c", e->section);
+        const char *student = format("tools/checks/student/%s.c", e->section);
+        if (e->role == ROLE_ASKED) {
+            tree_copy(&checks, root, own, own);
+            tree_copy(&checks, root, student, student);
+        }
     }
-    rename_includes(&h->tree);
+    collect_included_from(&checks, root, "tools/checks/");
+    for (size_t i = 0; i < checks.files; i++)
+        put_check(h, &checks.file[i], "tools/checks/");
+    tree_copy_all(&archive, root, "tools/handout/ustar.[ch]", "", "");
+    for (size_t i = 0; i < archive.files; i++)
+        put_check(h, &archive.file[i], "tools/handout/");
     if (section_is_asked(h, "3.4") && tree_find(&h->tree, "checks/3.4.c") != NULL)
         collect_signs(h);
 }
@@ -218,7 +222,7 @@ handout_collect(handout *h)
             collect_section(h, h->project.exercise[i].section);
     collect_included(h);
     collect_checks(h);
-    collect_library(h);
+    collect_included_from(&h->tree, h->project.root, "lib/");
     tree_copy_all(&h->tree, h->project.root, "tools/handout/student/Makefile",
                   "tools/handout/student/", "");
     tree_copy_all(&h->tree, h->project.root, "tools/handout/student/*/*",

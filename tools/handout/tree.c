@@ -31,14 +31,6 @@ tree_put(tree *t, const char *path, const char *text)
     *f = (tree_file){path, text, strlen(text), ends_with(path, ".sh")};
 }
 
-void
-tree_remove(tree *t, const char *path)
-{
-    tree_file *f = tree_find(t, path);
-    if (f != NULL)
-        *f = t->file[--t->files];
-}
-
 bool
 tree_copy(tree *t, const char *root, const char *from, const char *to)
 {

@@ -24,9 +24,6 @@ tree_file *tree_find(const tree *t, const char *path);
 /* A text at this path, instead of what is there. */
 void tree_put(tree *t, const char *path, const char *text);
 
-/* Takes the file out, if it is there. */
-void tree_remove(tree *t, const char *path);
-
 /* The project's file, if there is one and the tree has none there yet. Returns whether the tree
  * has one now. */
 bool tree_copy(tree *t, const char *root, const char *from, const char *to);
