@@ -226,7 +226,7 @@ check_task(const build *b, const task *t, const char *feedback, result *r)
     char *said;
     size_t size;
     command_line c = {NULL, 0};
-    const char *signs = format("%s/checks/%s.signs", g->base, t->exercise);
+    const char *instances = format("%s/checks/%s.instances", g->base, t->section);
     make_folder(format("%s/%s", b->folder, feedback));
     command_add(&c, format("%s/build/checker_%s", g->base, t->section));
     command_add(&c, t->exercise);
@@ -240,9 +240,9 @@ check_task(const build *b, const task *t, const char *feedback, result *r)
         command_add(&c, "--variant");
         command_add(&c, g->asked.variant);
     }
-    if (access(signs, F_OK) == 0) {
-        command_add(&c, "--signs");
-        command_add(&c, signs);
+    if (access(instances, F_OK) == 0) {
+        command_add(&c, "--instances");
+        command_add(&c, instances);
     }
     command_add(&c, "--");
     command_add(&c, format("%s/jail", g->tools));
