@@ -452,6 +452,24 @@ grade_all(const grading *g, class *c, int workers)
     return worst;
 }
 
+/* The tree as it was handed out is graded first. Unless each property comes out as "todo"
+ * there, something is wrong with this machine or with the tree, and not with anybody's
+ * submission. */
+static void
+check_untouched(const grading *g)
+{
+    const char *scratch = format("%s/untouched", g->work);
+    make_folder(scratch);
+    result r = mark_submission(g, "untouched", g->base, scratch, scratch);
+    if (r.fault != NULL)
+        refuse("nothing can be graded here: %s", r.fault);
+    for (size_t p = 0; p < g->asked.properties; p++)
+        if (strcmp(r.mark[p].word, "todo") != 0)
+            refuse("nothing can be graded here: of the tree as it was handed out, %s %s comes "
+                   "out as %s, and not as todo: %s", g->asked.property[p].of->exercise,
+                   g->asked.property[p].name, r.mark[p].word, r.mark[p].text);
+}
+
 static void
 write_csv(const grading *g, const class *c, const char *path)
 {
@@ -470,6 +488,7 @@ grade_class(const request *r, const char *self)
 {
     grading g = prepare(r, self);
     base_prepare(&g);
+    check_untouched(&g);
     class c = find_submissions(r, &g.asked);
     make_folder(format("%s/of", g.work));
     int worst = grade_all(&g, &c, r->workers);

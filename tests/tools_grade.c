@@ -1,0 +1,586 @@
+/* The grader gives each property of a submission its points or not, says why, and in
+ * every format the same; whatever a submission does, it is graded, and nobody else's
+ * result changes.
+ *
+ * Hypotheses: Linux, and a compiler that links statically; otherwise it is said, and not
+ * asked about. The checkers have tests of their own: what is graded here is exercise
+ * 2.3-b, with the reference's code, and with lines added to it.
+ */
+#include "tests/harness/harness.h"
+#include "tests/harness/shell.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- Reading what the grader writes. ---- */
+
+/* The whole file $d/name; "" if there is none. Kept until the process ends. */
+static const char *
+whole(const char *name)
+{
+    FILE *file = fopen(in_scratch(name).text, "rb");
+    char *text = calloc(1, 1 << 20);
+    if (text != NULL && file != NULL && fread(text, 1, (1 << 20) - 1, file) > 0)
+        fclose(file);
+    return text != NULL ? text : "";
+}
+
+static const char *
+blanks(const char *s)
+{
+    return s + strspn(s, " \n");
+}
+
+/* Behind a string that begins at s; NULL if none does, or it has what JSON forbids. */
+static const char *
+after_string(const char *s)
+{
+    if (*s++ != '"')
+        return NULL;
+    for (; *s != '"'; s++) {
+        if ((unsigned char)*s < 0x20)
+            return NULL;
+        if (*s == '\\' && strchr("\"\\/bfnrtu", *++s) == NULL)
+            return NULL;
+        if (*s == 'u' && s[-1] == '\\' && strspn(s + 1, "0123456789abcdefABCDEF") < 4)
+            return NULL;
+    }
+    return s + 1;
+}
+
+/* Behind the JSON value at s, which has to be one; NULL otherwise. Our own values are
+ * nested four deep. */
+static const char *
+after_value(const char *s)
+{
+    static const char *const words[] = {"true", "false", "null"};
+    s = blanks(s);
+    if (*s == '"')
+        return after_string(s);
+    for (int i = 0; i < 3; i++)
+        if (strncmp(s, words[i], strlen(words[i])) == 0)
+            return s + strlen(words[i]);
+    if (*s != '{' && *s != '[')
+        return strspn(s, "0123456789") > 0 ? s + strspn(s, "0123456789") : NULL;
+    char opened = *s, closing = opened == '{' ? '}' : ']';
+    s = blanks(s + 1);
+    while (*s != closing) {
+        if (opened == '{') {
+            s = after_string(s);
+            s = s != NULL ? blanks(s) : NULL;
+            if (s == NULL || *s++ != ':')
+                return NULL;
+        }
+        s = after_value(s);
+        s = s != NULL ? blanks(s) : NULL;
+        if (s == NULL || (*s != ',' && *s != closing))
+            return NULL;
+        if (*s == ',' && *(s = blanks(s + 1)) == closing)
+            return NULL;
+    }
+    return s + 1;
+}
+
+/* The value of a key of the object at s, or the item k of the array; NULL: none. */
+static const char *
+member(const char *s, const char *key, int k)
+{
+    s = s != NULL ? blanks(s) : "";
+    bool object = key != NULL;
+    if (*s != (object ? '{' : '['))
+        return NULL;
+    s = blanks(s + 1);
+    for (int i = 0; *s != (object ? '}' : ']') && *s != '\0'; i++) {
+        const char *value = object ? blanks(blanks(after_string(s)) + 1) : s;
+        bool found = object ? strncmp(s + 1, key, strlen(key)) == 0 &&
+                s[1 + strlen(key)] == '"' : i == k;
+        if (found)
+            return value;
+        s = blanks(after_value(value));
+        s = blanks(s + (*s == ','));
+    }
+    return NULL;
+}
+
+/* Is the value this text of JSON? */
+static bool
+is(const char *value, const char *json)
+{
+    return value != NULL && strncmp(value, json, strlen(json)) == 0 &&
+        after_value(value) == value + strlen(json);
+}
+
+static bool
+is_json(const char *text)
+{
+    const char *end = after_value(text);
+    return end != NULL && *blanks(end) == '\0';
+}
+
+/* ---- The submissions. ---- */
+
+/* A line that is added to the reference's function, and how the property comes out. */
+static const struct {
+    const char *name, *line, *word, *sentence;
+} ends[] = {
+    {"crash", "*(volatile char *)(size_t)(q.first + 64) = 1;", "crash", "crashed"},
+    {"assert", "assert(q.first != q.end);", "assert", "assertion"},
+    {"overflow", "volatile int most = 2147483647; most += 1;", "undefined", "undefined"},
+    {"late", "raise(SIGXCPU);", "timeout", "in time"},
+    {"exit", "exit(0);", "noanswer", "ended without an answer"},
+    {"good", "fputs(\"no harm\\n\", stderr);", "pass", ""},
+    {"garbage", "write(4, \"*** all tests passed ***\", 24);", "malformed", "no answer and no"},
+    {"fork", "fork();", "forbidden", "stopped"},
+    {"open", "fopen(\"/etc/passwd\", \"r\");", "forbidden", "stopped"},
+    {"kill", "kill(getppid(), SIGKILL);", "forbidden", "stopped"},
+    {"colours", "fputs(\"\\033[2J\\033]0;PASSED\\007<b>&\\x9b\\r\\n\", stderr); abort();",
+     "assert", "assertion"},
+    {"does_not_end", "/* ", "uncompiled", "does not compile"},
+    {"colour_of_error", "\n#error \\033[32m</pre><script>PASSED</script>\n", "uncompiled",
+     "does not compile"},
+    {"secret", "\n#include \"/etc/hostname\"\n", "uncompiled", "does not compile"},
+    {"no_function", "} int another_name(void) { hull_chain q; abort();", "", ""},
+};
+enum { ENDS = sizeof ends / sizeof ends[0] };
+
+#define SWEEP "chapters/2.3_line_sweep/sweep.c"
+
+/* Makes $d/class/NAME/SWEEP: the reference, with headers and one line more. */
+static bool
+write_submission(const char *name, const char *line)
+{
+    static char text[1 << 17];
+    FILE *file = fopen(SWEEP, "rb");
+    size_t size = file != NULL ? fread(text, 1, sizeof text - 1, file) : 0;
+    text[size] = '\0';
+    if (file == NULL || fclose(file) != 0 || shell("mkdir -p $d/class/%s/%s", name, SWEEP) != 0
+        || shell("rmdir $d/class/%s/%s", name, SWEEP) != 0)
+        return false;
+    const char *place = strstr(text, "hull_chain q = {last, last};");
+    char path[300];
+    snprintf(path, sizeof path, "class/%s/%s", name, SWEEP);
+    file = fopen(in_scratch(path).text, "wb");
+    if (place == NULL || file == NULL)
+        return false;
+    fprintf(file, "#define _GNU_SOURCE\n#include <assert.h>\n#include <signal.h>\n"
+            "#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>\n"
+            "%.*s\n    hull_chain q = {last, last};\n    %s\n%s", (int)(place - text), text,
+            line, place + strlen("hull_chain q = {last, last};"));
+    return fclose(file) == 0;
+}
+
+/* Those that are not a folder with a file: links, archives, files without folders. */
+static bool
+write_odd_submissions(void)
+{
+    return shell(
+        "cd $d/class && mkdir -p untouched link/%s linked_folder archive empty flat "
+        "&& rmdir link/%s && cp -R ../base/chapters untouched && "
+        "ln -s /etc/passwd link/%s && ln -s ../good/chapters linked_folder/chapters && "
+        "mkdir packed && (cd good && tar -cf ../archive/submission.tar %s && "
+        "tar -czf ../packed.tar.gz %s) && rmdir packed && "
+        "cp good/%s flat/sweep.c && echo 'int x;' >flat/helper.h && "
+        "(cd link && tar -cf ../link_in_archive.tar %s) && "
+        "head -c 3000 archive/submission.tar >damaged.tar && echo hello >hello.tar && "
+        "touch empty/README.txt",
+        SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP) == 0;
+}
+
+/* Grades the class once for all that follows. */
+static int
+prepare(void)
+{
+    if (shell("$build/handout 2.3-b --no-proof -o $d/handout >$d/out 2>&1 && "
+              "$build/grade --prepare --base $d/handout -o $d/base >$d/out 2>&1") != 0)
+        return -1;
+    for (int i = 0; i < ENDS; i++)
+        if (!write_submission(ends[i].name, ends[i].line))
+            return -1;
+    if (!write_odd_submissions())
+        return -1;
+    return shell("echo 'a secret' >$d/seed && printf 'good,Gus\\nabsent,Ann\\n' >$d/roster && "
+                 "$build/grade --base $d/base --seed-file $d/seed -j 2 "
+                 "--format text,gradescope,classroom50,junit,tap --csv $d/class.csv "
+                 "--roster $d/roster -o $d/graded $d/class >$d/said 2>$d/err");
+}
+
+/* ---- What must hold. ---- */
+
+static const char *
+results_of(const char *name)
+{
+    char path[200];
+    snprintf(path, sizeof path, "graded/%s/results.json", name);
+    return whole(path);
+}
+
+static const char *
+test_of(const char *name, int k)
+{
+    return member(member(results_of(name), "tests", 0), NULL, k);
+}
+
+static const char *
+word_of(const char *name, int k)
+{
+    return member(member(test_of(name, k), "extra_data", 0), "result", 0);
+}
+
+/* A crash, a time-out, an assert, undefined behaviour, ... each has its own sentence. */
+static void
+each_end_has_its_sentence(void)
+{
+    for (int i = 0; i < ENDS; i++) {
+        char word[40];
+        snprintf(word, sizeof word, "\"%s\"", ends[i].word);
+        if (ends[i].word[0] == '\0')
+            continue;
+        for (int k = 0; k < 2; k++) {
+            const char *output = member(test_of(ends[i].name, k), "output", 0);
+            CLAIM("grade.sentences", is(word_of(ends[i].name, k), word), "%s, test %d: %.20s",
+                  ends[i].name, k, word_of(ends[i].name, k));
+            CLAIM("grade.sentences", output != NULL && strstr(output, ends[i].sentence) != NULL
+                  && strstr(output, ends[i].sentence) < after_value(output), "%s: %.300s",
+                  ends[i].name, output);
+        }
+    }
+    for (int k = 0; k < 2; k++)
+        CLAIM("grade.todo", is(word_of("untouched", k), "\"todo\"") &&
+              is(member(test_of("untouched", k), "score", 0), "0"), "%.20s",
+              word_of("untouched", k));
+    CLAIM("grade.sentences", is(word_of("no_function", 0), "\"uncompiled\""),
+          "without its function: %.20s", word_of("no_function", 0));
+}
+
+/* The fields that Gradescope documents, and no other. */
+static void
+gradescope_has_its_fields(void)
+{
+    static const char *const names[] = {"good", "crash", "absent", "colour_of_error"};
+    static const char *const of_test[] = {"name", "number", "score", "max_score", "status",
+                                          "output", "output_format", "visibility", "tags",
+                                          "extra_data"};
+    for (int i = 0; i < 4; i++) {
+        const char *text = results_of(names[i]), *tests = member(text, "tests", 0);
+        CLAIM("grade.gradescope", is_json(text), "%s: no JSON: %s", names[i], text);
+        CLAIM("grade.gradescope", is(member(text, "visibility", 0), "\"visible\"") &&
+              is(member(text, "output_format", 0), "\"text\""), "%s: %s", names[i], text);
+        int score = 0, most = 0, k = 0;
+        const char *test;
+        for (; (test = member(tests, NULL, k)) != NULL; k++) {
+            for (int f = 0; f < 10; f++)
+                CLAIM("grade.gradescope", member(test, of_test[f], 0) != NULL,
+                      "%s: test %d has no %s", names[i], k, of_test[f]);
+            bool passed = is(member(test, "status", 0), "\"passed\"");
+            int points = atoi(member(test, "score", 0));
+            CLAIM("grade.gradescope", passed || is(member(test, "status", 0), "\"failed\""),
+                  "%s: test %d has no status", names[i], k);
+            CLAIM("grade.gradescope", points == (passed ? k + 1 : 0), "%s: test %d: %d points",
+                  names[i], k, points);
+            score += points;
+            most += atoi(member(test, "max_score", 0));
+        }
+        CLAIM("grade.gradescope", k == 2 && most == 3, "%s: %d tests, %d points", names[i], k,
+              most);
+        CLAIM("grade.gradescope", score == (i == 0 ? 3 : 0), "%s: %d points", names[i], score);
+    }
+}
+
+static void
+classroom50_has_its_fields(void)
+{
+    static const char *const strings[] = {"classroom", "assignment", "submission", "commit",
+                                          "release", "review"};
+    static const char *const of_test[] = {"test-name", "passed", "score", "max-score"};
+    const char *text = whole("graded/good/result.json"), *test;
+    CLAIM("grade.classroom50", is_json(text) &&
+          is(member(text, "schema", 0), "\"classroom50/result/v1\""), "%s", text);
+    for (int i = 0; i < 6; i++) {
+        const char *value = member(text, strings[i], 0);
+        CLAIM("grade.classroom50", value != NULL && *value == '"' && value[1] != '"',
+              "%s is missing or empty", strings[i]);
+    }
+    CLAIM("grade.classroom50", is(member(text, "score", 0), "3") &&
+          is(member(text, "max-score", 0), "3"), "%s", text);
+    for (int k = 0; k < 2; k++) {
+        test = member(member(text, "tests", 0), NULL, k);
+        for (int f = 0; f < 4; f++)
+            CLAIM("grade.classroom50", member(test, of_test[f], 0) != NULL, "no %s",
+                  of_test[f]);
+        CLAIM("grade.classroom50", is(member(test, "passed", 0), "true"), "%s", text);
+    }
+}
+
+static void
+junit_and_tap_agree(void)
+{
+    bool xmllint = shell("command -v xmllint >/dev/null") == 0;
+    for (int i = 0; i < ENDS; i++) {
+        char path[200];
+        snprintf(path, sizeof path, "graded/%s/junit.xml", ends[i].name);
+        const char *text = whole(path);
+        bool good = strcmp(ends[i].word, "pass") == 0;
+        CLAIM("grade.junit", strstr(text, good ? "tests=\"2\" failures=\"0\" errors=\"0\""
+                                    : "tests=\"2\" failures=\"2\" errors=\"0\"") != NULL,
+              "%s: %s", ends[i].name, text);
+        CLAIM("grade.junit", !xmllint || shell("xmllint --noout $d/%s 2>$d/err", path) == 0,
+              "%s: %s", ends[i].name, read_scratch("err").text);
+        CLAIM("grade.junit", strstr(text, "<script") == NULL && strstr(text, "<b>") == NULL,
+              "%s: a tag gets through: %s", ends[i].name, text);
+        CLAIM("grade.tap", shell("grep -c '^%s [12] - 2.3-b ' $d/graded/%s/result.tap | "
+                                 "grep -qx 2 && grep -qx '1[.][.]2' $d/graded/%s/result.tap",
+                                 good ? "ok" : "not ok", ends[i].name, ends[i].name) == 0,
+              "%s: result.tap", ends[i].name);
+    }
+}
+
+/* A row for each, in the order of the names; those who handed in nothing, too. */
+static void
+the_class_is_one_table(void)
+{
+    const char *text = whole("class.csv");
+    CLAIM("grade.csv", strncmp(text, "submission,score,total,state,2.3-b sees,2.3-b chain\n",
+                               51) == 0, "%s", text);
+    CLAIM("grade.csv", shell("tail -n +2 $d/class.csv | cut -d, -f1 | LC_ALL=C sort -c") == 0,
+          "the rows are not in order: %s", text);
+    CLAIM("grade.csv", strstr(text, "\n\"good\",3,3,graded,1,2\n") != NULL &&
+          strstr(text, "\n\"absent\",0,3,missing,0,0\n") != NULL &&
+          strstr(text, "\n\"fork\",0,3,graded,0,0\n") != NULL, "%s", text);
+    CLAIM("grade.csv", shell("test $(wc -l <$d/class.csv) -eq %d", ENDS + 12) == 0,
+          "%d rows are expected: %s", ENDS + 11, text);
+    CLAIM("grade.text", strstr(whole("said"), "good: 3 of 3 points\n") != NULL, "%s",
+          whole("said"));
+}
+
+static void
+submissions_come_in_every_form(void)
+{
+    static const char *const whole_ones[] = {"archive", "packed", "flat"};
+    static const char *const refused[] = {"link", "linked_folder", "link_in_archive", "damaged",
+                                          "hello", "empty"};
+    for (int i = 0; i < 3; i++)
+        CLAIM("grade.forms", is(member(test_of(whole_ones[i], 1), "score", 0), "2"),
+              "%s: %s", whole_ones[i], results_of(whole_ones[i]));
+    for (int i = 0; i < 6; i++)
+        CLAIM("grade.refuses", is(word_of(refused[i], 0), "\"refused\"") &&
+              is(member(test_of(refused[i], 1), "score", 0), "0"), "%s: %s", refused[i],
+              results_of(refused[i]));
+    CLAIM("grade.refuses", strstr(results_of("link"), "is a link") != NULL &&
+          strstr(results_of("link_in_archive"), "is a link") != NULL &&
+          strstr(results_of("linked_folder"), "is a link") != NULL, "links: %s",
+          results_of("link"));
+    CLAIM("grade.unlisted", strstr(results_of("flat"), "helper.h is not one of") != NULL,
+          "%s", results_of("flat"));
+    CLAIM("grade.refuses", shell("! grep -rq 'root:' $d/graded") == 0, "a link is followed");
+}
+
+static void
+nothing_controls_a_terminal(void)
+{
+    CLAIM("grade.clean", shell("! LC_ALL=C grep -rlq \"$(printf '[\\001-\\010\\013-\\037\\177"
+                               "\\200-\\377]')\" $d/graded $d/said $d/class.csv") == 0,
+          "a control character is in the results");
+    CLAIM("grade.clean", strstr(results_of("colour_of_error"), "<script") == NULL,
+          "a tag is in the JSON");
+    CLAIM("grade.clean", strstr(whole("graded/secret/result.txt"), "Permission denied") != NULL,
+          "%s", whole("graded/secret/result.txt"));
+}
+
+static void
+the_same_submission_gives_the_same_bytes(void)
+{
+    int status = shell("$build/grade --base $d/base --seed-file $d/seed "
+                       "--format text,gradescope,classroom50,junit,tap -o $d/again "
+                       "$d/class/crash $d/class/good $d/class/colour_of_error >$d/out && "
+                       "for s in crash good colour_of_error; do "
+                       "diff -r $d/graded/$s $d/again/$s >$d/out || exit 9; done");
+    CLAIM("grade.same", status == 0, "status %d: %s", status, read_scratch("out").text);
+    CLAIM("grade.same", shell("test -s $d/again/crash/feedback/2.3-b/sees.svg") == 0,
+          "no picture");
+}
+
+/* Makes $d/NAME, a base with a checker that does its work once, for the tree as it was
+ * handed out, and then only this. */
+static void
+make_faulty(const char *name, const char *then)
+{
+    shell("cp -R $d/base $d/%s && cd $d/%s/build && mv checker_2.3 real && "
+          "printf '#!/bin/sh\\nif test -e \"$0.called\"; then %s; exit; fi\\n"
+          ": >\"$0.called\"; exec \"${0%%%%/*}/real\" \"$@\"\\n' >checker_2.3 && "
+          "chmod +x checker_2.3", name, name, then);
+}
+
+/* When the checker itself fails, there is no score, and the status says so. */
+static void
+a_fault_of_the_grader_is_no_score(void)
+{
+    make_faulty("faulty", "exit 9");
+    int status = shell("$build/grade --base $d/faulty --format text,gradescope,junit,tap "
+                       "--csv $d/faulty.csv -o $d/fault $d/class/good >$d/out");
+    const char *text = whole("fault/results.json");
+    CLAIM("grade.infra", status == 3, "status %d", status);
+    CLAIM("grade.infra", is_json(text) && member(text, "tests", 0) == NULL &&
+          member(text, "score", 0) == NULL &&
+          member(member(text, "extra_data", 0), "infra_error", 0) != NULL, "%s", text);
+    CLAIM("grade.infra", strstr(whole("faulty.csv"), "\n\"good\",,3,infra_error,,\n") != NULL,
+          "%s", whole("faulty.csv"));
+    CLAIM("grade.infra", strstr(whole("fault/junit.xml"), "errors=\"2\"") != NULL &&
+          strstr(whole("fault/result.tap"), "Bail out!") != NULL, "%s",
+          whole("fault/junit.xml"));
+    make_faulty("silent", "exit 42");
+    status = shell("$build/grade --base $d/silent --format gradescope -o $d/fault2 $d/class/good >$d/out");
+    CLAIM("grade.infra", status == 3, "a checker that says nothing accepts: status %d", status);
+}
+
+/* Nor does anybody lose points where nothing can be graded at all. */
+static void
+a_machine_that_cannot_grade_is_noticed(void)
+{
+    int status = shell("cp -R $d/base $d/none && rm $d/none/build/opaque/libgiven.a && "
+                       "$build/grade --base $d/none --csv $d/none.csv $d/class/good "
+                       ">$d/out 2>&1");
+    CLAIM("grade.self", status == 1 && has("out", "nothing can be graded here") &&
+          shell("test ! -e $d/none.csv") == 0, "status %d: %s", status,
+          read_scratch("out").text);
+}
+
+/* Until there is a result the score is 0; and nothing is left behind. */
+static void
+a_zero_is_there_first(void)
+{
+    make_faulty("slow", "sleep 60");
+    shell("chmod 711 $d; mkdir $d/tmp");
+    int status = shell("TMPDIR=$d/tmp $build/grade --base $d/slow --format gradescope "
+                       "-o $d/killed $d/class/good >$d/out 2>&1 & grader=$!; "
+                       "for i in $(seq 60); do sleep 0.2; "
+                       "test -e $d/killed/results.json && break; done; "
+                       "cp $d/killed/results.json $d/first.json; kill $grader; wait $grader; "
+                       "ls -A $d/tmp >$d/out; test ! -s $d/out");
+    CLAIM("grade.zero", is_json(whole("first.json")) &&
+          strstr(whole("first.json"), "interrupted") != NULL &&
+          is(member(member(member(whole("first.json"), "tests", 0), NULL, 1), "score", 0), "0"),
+          "%s", whole("first.json"));
+    CLAIM("grade.zero", status == 0 && is_json(whole("killed/results.json")),
+          "files are left: %s", read_scratch("out").text);
+}
+
+/* --supply: 2.3-c is right, and rests on a 2.3-b that is wrong. */
+static void
+one_mistake_is_not_punished_twice(void)
+{
+    const char *wrong = "if (last != NONE) return q;";
+    CLAIM("grade.supply", write_submission("wrong_b", wrong), "no submission");
+    int status = shell("$build/grade -a 2.3 --supply --format text -o $d/supplied "
+                       "$d/class/wrong_b >$d/out 2>&1 && "
+                       "grep -q '^  0/2  2.3-b chain  *fail ' $d/out && "
+                       "grep -q '^  3/3  2.3-c triangulation  *pass .*others* exercises' $d/out");
+    CLAIM("grade.supply", status == 0, "status %d: %s", status, read_scratch("out").text);
+}
+
+static void
+a_conversation_shows_functions_and_a_bug(void)
+{
+    int status = shell("$build/grade --viva anna --base $d/base $d/class/good >$d/anna && "
+                       "$build/grade --viva anna --base $d/base $d/class/good >$d/anna2 && "
+                       "$build/grade --viva bert --base $d/base $d/class/good >$d/bert && "
+                       "cmp $d/anna $d/anna2 && ! cmp -s $d/anna $d/bert");
+    CLAIM("grade.viva", status == 0, "status %d", status);
+    CLAIM("grade.viva", strstr(whole("anna"), "\nhull_edges_seeing(") != NULL &&
+          strstr(whole("anna"), "Which statement fails, and why?") != NULL &&
+          strstr(whole("anna"), "no harm") != NULL, "%s", whole("anna"));
+}
+
+/* ---- Gradescope, in a folder laid out as there. ---- */
+
+static void
+run_as_there(const char *as, const char *where)
+{
+    setenv("there", in_scratch(where).text, 1);
+    setenv("as", as, 1);
+    int status = shell("mkdir -p $there/source $there/results $there/submission && "
+                       "chmod 755 $there $there/source && "
+                       "cp -R $d/unpacked/. $there/source && "
+                       "cp -R $d/class/archive/. $there/submission && "
+                       "if [ -n \"$as\" ]; then chmod 755 $d && chown -R 65534 $there; fi && "
+                       "cd $there && AUTOGRADER=$there $as source/setup.sh >$d/out 2>&1 && "
+                       "AUTOGRADER=$there $as source/run_autograder >$d/out 2>&1");
+    char path[100];
+    snprintf(path, sizeof path, "%s/results/results.json", where);
+    const char *text = whole(path);
+    CLAIM("grade.pack", status == 0 && is_json(text) &&
+          is(member(member(member(text, "tests", 0), NULL, 1), "score", 0), "2"),
+          "%s status %d: %s%s", as, status, read_scratch("out").text, text);
+}
+
+static void
+gradescope_gets_an_archive(void)
+{
+    int status = shell("$build/grade --pack gradescope -a 2.3-b --seed-file $d/seed "
+                       "-o $d/pack.zip >$d/out && $build/grade --pack gradescope -a 2.3-b "
+                       "--seed-file $d/seed -o $d/pack2.zip >$d/out && "
+                       "cmp $d/pack.zip $d/pack2.zip");
+    CLAIM("grade.pack", status == 0, "status %d: %s", status, read_scratch("out").text);
+    CLAIM("grade.pack", shell("! LC_ALL=C grep -q 'mesh_hull_prev(m, q.first)' $d/pack.zip") == 0,
+          "a solution is in the archive");
+    if (shell("command -v unzip >/dev/null") == 0)
+        CLAIM("grade.pack", shell("unzip -q $d/pack.zip -d $d/unpacked") == 0, "no zip");
+}
+
+static void
+it_runs_as_root_or_as_you(void)
+{
+    run_as_there("", "there");
+}
+
+static void
+it_runs_as_another_user(void)
+{
+    run_as_there("setpriv --reuid 65534 --regid 65534 --clear-groups", "nobody");
+}
+
+int
+main(int argc, char **argv)
+{
+    shell_begin(argv);
+    test_begin(argc, argv, "the grader: every submission gets its points, and nothing else");
+    int status = prepare();
+    if (shell("echo 'int main(void){return 0;}' >$d/a.c && ${CC-cc} -static $d/a.c -o $d/a "
+              "2>$d/err") != 0) {
+        printf("ok 1 - # SKIP programs cannot be linked statically\n1..1\n");
+        shell_end();
+        return 0;
+    }
+    if (status != 0) {
+        printf("not ok 1 - the class is graded: status %d: %s%s\n1..1\n", status,
+               read_scratch("out").text, read_scratch("err").text);
+        shell_end();
+        return 1;
+    }
+    test_run("each end has its sentence", each_end_has_its_sentence);
+    test_run("Gradescope has its fields", gradescope_has_its_fields);
+    test_run("Classroom 50 has its fields", classroom50_has_its_fields);
+    test_run("JUnit and TAP agree", junit_and_tap_agree);
+    test_run("the class is one table", the_class_is_one_table);
+    test_run("submissions come in every form", submissions_come_in_every_form);
+    test_run("nothing controls a terminal", nothing_controls_a_terminal);
+    test_run("the same submission gives the same bytes",
+             the_same_submission_gives_the_same_bytes);
+    test_run("a fault of the grader is no score", a_fault_of_the_grader_is_no_score);
+    test_run("a machine that cannot grade is noticed", a_machine_that_cannot_grade_is_noticed);
+    test_run("a zero is there first", a_zero_is_there_first);
+    test_run("one mistake is not punished twice", one_mistake_is_not_punished_twice);
+    test_run("a conversation shows functions and a bug",
+             a_conversation_shows_functions_and_a_bug);
+    test_run("Gradescope gets an archive", gradescope_gets_an_archive);
+    if (shell("command -v unzip >/dev/null") == 0)
+        test_run("it runs as root, or as you", it_runs_as_root_or_as_you);
+    else
+        puts("# skipped: there is no unzip");
+    if (geteuid() == 0 && shell("test -x $(command -v unzip) -a -x $(command -v setpriv)") == 0)
+        test_run("it runs as another user", it_runs_as_another_user);
+    int result = test_end((test_minima){.trials = 13});
+    shell_end();
+    return result;
+}
