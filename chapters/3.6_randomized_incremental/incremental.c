@@ -100,8 +100,9 @@ push_link_of(edge_stack *L, vertex_id p)
     } while (e != first);
 }
 
-/* Figure 10, when all edges on the stack are opposite the same new vertex. Of the four
- * edges around a flipped one, two end there; they need no look (page 3.6, P3). */
+/* Figure 10, when all edges on the stack are opposite the same new vertex p: each entry
+ * ab has p for its apex. Then ab becomes dp, and of the four edges around it ad and db
+ * are opposite p. The other two end at p and need no look (page 3.6, fig12.P3). */
 static void
 lawson_flip_around(edge_stack *L, const point2 *points, locator *T)
 {
@@ -112,14 +113,14 @@ lawson_flip_around(edge_stack *L, const point2 *points, locator *T)
             continue;
         flip(D, ab);
         locator_flip(T, ab);
-        edge_stack_push(L, mesh_prev(ab));
-        edge_stack_push(L, mesh_next(mesh_twin(D, ab)));
+        edge_stack_push(L, mesh_prev(ab));               /* ad */
+        edge_stack_push(L, mesh_next(mesh_twin(D, ab))); /* db */
     }
 }
 
 /* ---- Figure 12. ---- */
 
-/* Lines 2 to 7, with T and L to work with. */
+/* Lines 2 to 7, with T and L to work with. Two points are there already: line 1. */
 static void
 insert_all(mesh *D, const point2 *points, const vertex_id *order, locator *T,
            edge_stack *L)

@@ -42,7 +42,7 @@ locator_free(locator *T)
 /* ---- Asking. ---- */
 
 /* The place of p, which waits with the ghost triangle of hull edge xy: it sees xy,
- * or is in line with it, and then lies on it, or beyond an end (page 3.6, P10). */
+ * or is in line with it, and then lies on it, or beyond an end (buckets.P1). */
 static place
 place_outside(const mesh *m, const point2 *points, halfedge_id xy, point2 p)
 {

@@ -30,7 +30,7 @@ lies_beyond(const mesh *m, const point2 *points, halfedge_id e, point2 p)
 /* ---- Step 1: at the vertex where the walk begins. ---- */
 
 /* Does the walk from a to p leave vertex b on its right? If b lies on the way it
- * does not: we walk a hair to the right of all vertices that are in the way (P4). */
+ * does not: we walk a hair to the right of all vertices in the way (walk.P1). */
 static bool
 is_right(const point2 *points, point2 a, point2 p, vertex_id b)
 {
