@@ -22,7 +22,8 @@ static fast_limits
 some_limits(uint32_t n)
 {
     random_source *r = test_random_source();
-    fast_limits limits = {.few = 1 + random_below(r, 9), .job = 1 + random_below(r, n + 2)};
+    fast_limits limits = {.few = 1 + random_below(r, 9), .job = 1 + random_below(r, n + 2),
+                          .threads = random_below(r, 16) == 0 ? 3 : 1};
     return limits;
 }
 
@@ -74,7 +75,7 @@ compare_with_divide(const point2 *points, uint32_t n, fast_limits limits)
 static void
 divide_says_the_same(const point2 *points, uint32_t n)
 {
-    compare_with_divide(points, n, fast_limits_for(n));
+    compare_with_divide(points, n, fast_limits_for(n, 1));
 }
 
 static void
@@ -106,7 +107,7 @@ it_can_be_watched_and_refused(void)
     CLAIM("fast.P1", stopped == TRI_CANCELLED && m.halfedge == NULL,
           "the observer could not stop it");
     for (uint32_t job = 3; job <= 100; job += 97) {
-        fast_limits limits = {.few = 3, .job = job};
+        fast_limits limits = {.few = 3, .job = job, .threads = 2};
         tri_status status = TRI_OUT_OF_MEMORY;
         for (unsigned long k = 1; status != TRI_OK; k++) {
             memory_fail_at(k);

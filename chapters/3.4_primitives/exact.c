@@ -15,7 +15,7 @@
 #include <stdbool.h>
 
 #ifdef TRI_COUNTED
-predicate_counts predicate_count;
+_Thread_local predicate_counts predicate_count;
 #endif
 
 /* The sign of x - y. */

@@ -40,7 +40,7 @@ typedef struct predicate_counts {
     uint64_t signs, expansions, wide; /* its Steps 1, 2 and 3 */
     uint64_t zeros;                   /* and how many of all these were 0 */
 } predicate_counts;
-extern predicate_counts predicate_count;
+extern _Thread_local predicate_counts predicate_count; /* of the thread that looks */
 #define PREDICATE_COUNT(what) ((void)predicate_count.what++)
 #else
 #define PREDICATE_COUNT(what) ((void)0)

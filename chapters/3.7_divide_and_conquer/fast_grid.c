@@ -1,6 +1,8 @@
 /* fast_grid.c - sites sorted into the cells of a grid. */
 #include "chapters/3.7_divide_and_conquer/fast_grid.h"
 
+#include "chapters/3.7_divide_and_conquer/fast_share.h"
+#include "lib/memory.h"
 #include "lib/sort.h"
 
 #include <float.h>
@@ -18,6 +20,16 @@ fast_box_around(const fast_site *site, uint32_t count)
         b.high[1] = y > b.high[1] ? y : b.high[1];
     }
     return b;
+}
+
+fast_box
+fast_box_join(fast_box a, fast_box b)
+{
+    for (int k = 0; k < 2; k++) {
+        a.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
+        a.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
+    }
+    return a;
 }
 
 /* ---- The box of most sites, from a sample. ---- */
@@ -112,27 +124,95 @@ column(const grid *g, int axis, double x)
     return (uint32_t)(int32_t)c;
 }
 
+/* Sets from[].edge to the cells of the sites, and counts how many are in each. */
+static void
+count_cells(const grid *g, fast_site *from, uint32_t count, uint32_t *in_cell)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t c = (uint32_t)g->spread[0][column(g, 0, from[i].x)] |
+                     g->spread[1][column(g, 1, from[i].y)];
+        from[i].edge = c;
+        in_cell[c]++;
+    }
+}
+
+/* Moves the sites; the next one of cell c goes to to[place[c]]. */
+static void
+move_to_cells(const fast_site *from, uint32_t count, fast_site *to, uint32_t *place)
+{
+    for (uint32_t i = 0; i < count; i++)
+        to[place[from[i].edge]++] = from[i];
+}
+
+/* ---- The same by several threads. ---- */
+
+/* What the tasks share. A task has a piece of the sites and a counter for each cell. */
+typedef struct sorting {
+    fast_work work;
+    const grid *grid;
+    fast_site *from, *to;
+    uint32_t count, pieces, cells;
+    uint32_t *counter; /* those of piece 0 first */
+} sorting;
+
+static void
+count_piece(fast_work *self, uint32_t piece)
+{
+    sorting *s = (sorting *)self;
+    uint32_t begin = fast_begin(piece, s->pieces, s->count);
+    uint32_t end = fast_begin(piece + 1, s->pieces, s->count);
+    uint32_t *counter = s->counter + (size_t)piece * s->cells;
+    memset(counter, 0, s->cells * sizeof *counter);
+    count_cells(s->grid, s->from + begin, end - begin, counter);
+}
+
+static void
+move_piece(fast_work *self, uint32_t piece)
+{
+    sorting *s = (sorting *)self;
+    uint32_t begin = fast_begin(piece, s->pieces, s->count);
+    uint32_t end = fast_begin(piece + 1, s->pieces, s->count);
+    move_to_cells(s->from + begin, end - begin, s->to,
+                  s->counter + (size_t)piece * s->cells);
+}
+
+/* Where each piece begins in each cell: so the order is that of one thread. */
+static void
+add_up(sorting *s, fast_cells *cells)
+{
+    uint32_t sum = 0;
+    for (uint32_t c = 0; c < s->cells; c++) {
+        for (uint32_t piece = 0; piece < s->pieces; piece++) {
+            uint32_t *counter = &s->counter[(size_t)piece * s->cells + c];
+            uint32_t here = *counter;
+            *counter = sum;
+            sum += here;
+        }
+        cells->end[c] = sum;
+    }
+}
+
 bool
 fast_grid_sort(fast_cells *cells, fast_box box, int bits, fast_site *from, fast_site *to,
-               uint32_t count)
+               uint32_t count, uint32_t threads)
 {
     grid g;
     if (!plan(&g, cells, box, bits))
         return false;
-    uint32_t all = (uint32_t)1 << cells->bits, sum = 0;
-    memset(cells->end, 0, all * sizeof *cells->end);
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t c = (uint32_t)g.spread[0][column(&g, 0, from[i].x)] |
-                     g.spread[1][column(&g, 1, from[i].y)];
-        from[i].edge = c;
-        cells->end[c]++;
+    sorting s = {.work = {count_piece}, .grid = &g, .from = from, .to = to,
+                 .count = count, .pieces = threads, .cells = 1u << bits};
+    uint32_t *more = NULL, own[FAST_GRID_CELLS];
+    if (threads > 1)
+        more = memory_array((size_t)threads << bits, sizeof *more);
+    s.counter = more;
+    if (more == NULL) {
+        s.counter = own;
+        s.pieces = 1;
     }
-    for (uint32_t c = 0; c < all; c++) {
-        uint32_t here = cells->end[c];
-        cells->end[c] = sum; /* where it begins, for now */
-        sum += here;
-    }
-    for (uint32_t i = 0; i < count; i++)
-        to[cells->end[from[i].edge]++] = from[i];
+    fast_share(&s.work, s.pieces, s.pieces);
+    add_up(&s, cells);
+    s.work.task = move_piece;
+    fast_share(&s.work, s.pieces, s.pieces);
+    memory_free(more);
     return true;
 }

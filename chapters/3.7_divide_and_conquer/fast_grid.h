@@ -29,17 +29,21 @@ typedef struct fast_cells {
 /* The smallest box around the sites. Requires: count > 0. */
 fast_box fast_box_around(const fast_site *site, uint32_t count);
 
+/* The smallest box around two. */
+fast_box fast_box_join(fast_box a, fast_box b);
+
 /* A box that may leave out some sites that are far away from the others: most
  * likely less than a quarter of them. */
 fast_box fast_box_of_most(const fast_site *site, uint32_t count, fast_box all);
 
 /* Halves the box `bits` times and moves the sites to `to`, those of cell 0 first. Sites
  * outside the box are in the cells at its border. Changes from[].edge. False, and nothing
- * has happened, when doubles cannot measure the box.
+ * has happened, when doubles cannot measure the box. More threads than one need memory; if
+ * there is none, one will do.
  *
  * Two sites in different halves differ in that coordinate: a column grows with x, since
  * rounding is monotonic. */
 bool fast_grid_sort(fast_cells *cells, fast_box box, int bits, fast_site *from,
-                    fast_site *to, uint32_t count);
+                    fast_site *to, uint32_t count, uint32_t threads);
 
 #endif

@@ -23,7 +23,7 @@ fast_pool_of(uint32_t lo, uint32_t count)
 
 /* An edge between two sites, not linked yet; returns the half-edge from p to q. */
 static halfedge_id
-new_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
+new_edge(const fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 {
     halfedge_id e = pool->first;
     if (e != NONE) {
@@ -40,7 +40,7 @@ new_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 /* A half-edge that is not in use is its own neighbour across its twin: for
  * fast_export.c that is no corner of a triangle. */
 static void
-release(fast_run *run, fast_pool *pool, halfedge_id e)
+release(const fast_run *run, fast_pool *pool, halfedge_id e)
 {
     e &= ~(halfedge_id)1;
     run->edge[e] = (fast_edge){NONE, pool->first};
@@ -53,14 +53,14 @@ release(fast_run *run, fast_pool *pool, halfedge_id e)
 }
 
 void
-fast_pool_close(fast_run *run, fast_pool *pool)
+fast_pool_close(const fast_run *run, fast_pool *pool)
 {
     for (; pool->fresh < pool->end; pool->fresh += 2)
         release(run, pool, pool->fresh);
 }
 
 fast_pool
-fast_pool_join(fast_run *run, fast_pool a, fast_pool b)
+fast_pool_join(const fast_run *run, fast_pool a, fast_pool b)
 {
     if (a.first == NONE)
         return b;
@@ -74,7 +74,7 @@ fast_pool_join(fast_run *run, fast_pool a, fast_pool b)
 /* Links e between the half-edge f and the one counterclockwise of it; all leave the same
  * site. */
 static void
-link_after(fast_run *run, halfedge_id f, halfedge_id e)
+link_after(const fast_run *run, halfedge_id f, halfedge_id e)
 {
     halfedge_id g = run->edge[f].ccw;
     run->cw[e] = f;
@@ -84,14 +84,14 @@ link_after(fast_run *run, halfedge_id f, halfedge_id e)
 }
 
 static void
-link_alone(fast_run *run, halfedge_id e)
+link_alone(const fast_run *run, halfedge_id e)
 {
     run->edge[e].ccw = run->cw[e] = e;
 }
 
 /* Takes e away from its origin, which has other edges. */
 static void
-detach(fast_run *run, halfedge_id e)
+detach(const fast_run *run, halfedge_id e)
 {
     halfedge_id f = run->cw[e], g = run->edge[e].ccw;
     fast_site *origin = &run->site[run->edge[e].origin];
@@ -102,7 +102,7 @@ detach(fast_run *run, halfedge_id e)
 }
 
 static void
-delete_edge(fast_run *run, fast_pool *pool, halfedge_id e)
+delete_edge(const fast_run *run, fast_pool *pool, halfedge_id e)
 {
     detach(run, e);
     detach(run, e ^ 1);
@@ -216,7 +216,7 @@ is_inside(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q, s
 
 /* An edge between two sites that have none yet. */
 static halfedge_id
-lone_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
+lone_edge(const fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 {
     halfedge_id e = new_edge(run, pool, p, q);
     link_alone(run, e);
@@ -227,7 +227,7 @@ lone_edge(fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
 }
 
 void
-fast_few(fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count)
+fast_few(const fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count)
 {
     run->site[lo].edge = NONE;
     if (count == 1)
@@ -291,7 +291,7 @@ lower_tangent(const fast_run *run, uint32_t l, uint32_t r)
 
 /* Links e, which leaves a site on the hull, into the outside there. */
 static void
-link_outside(fast_run *run, halfedge_id e)
+link_outside(const fast_run *run, halfedge_id e)
 {
     halfedge_id along = run->site[run->edge[e].origin].edge;
     if (along == NONE)
@@ -303,7 +303,7 @@ link_outside(fast_run *run, halfedge_id e)
 /* ---- The merge. ---- */
 
 void
-fast_merge(fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
+fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
 {
     fast_edge *edge = run->edge;
     tangent lowest = lower_tangent(run, v, w);                  // Step 1

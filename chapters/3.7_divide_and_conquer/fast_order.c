@@ -29,7 +29,7 @@ remember(fast_plan *plan, fast_step step)
 }
 
 fast_part
-fast_cut(fast_run *run, fast_pool *pool, int axis, fast_part a, fast_part b)
+fast_cut(const fast_run *run, fast_pool *pool, int axis, fast_part a, fast_part b)
 {
     fast_merge(run, pool, a.last[axis], b.first[axis]);
     fast_part both;
@@ -248,7 +248,8 @@ fast_divide(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, fast_b
     fast_site *here = w->run->site + lo, *there = w->spare + lo;
     fast_site *to = from == here ? there : here;
     fast_cells cells;
-    if (!fast_grid_sort(&cells, grid, bits_for(w, count), from, to, count))
+    if (!fast_grid_sort(&cells, grid, bits_for(w, count), from, to, count,
+                        w->threads))
         return divide_at_median(w, from, lo, count, box);
     return divide_cells(w, &cells, to, lo, 0, cells.bits, count / 8);
 }
@@ -261,4 +262,37 @@ divide_more(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int ax
     if (count <= w->few)
         return take_few(w, from, lo, count, axis);
     return fast_divide(w, from, lo, count, fast_box_around(from, count));
+}
+
+/* ---- The plan. ---- */
+
+/* Tells each step where it begins and which cut needs it. The last step of a cut's second
+ * part stands before the cut, that of its first part before where the second begins. */
+static void
+link_steps(fast_plan *plan)
+{
+    for (uint32_t i = 0; i < plan->size; i++) {
+        fast_step *s = &plan->step[i];
+        s->begin = i;
+        s->cut = NONE;
+        if (s->from == NULL) {
+            fast_step *second = s - 1, *first = &plan->step[second->begin - 1];
+            s->begin = first->begin;
+            first->cut = second->cut = i;
+        }
+    }
+}
+
+tri_status
+fast_make_plan(fast_plan *plan, fast_run *run, fast_site *spare, uint32_t n,
+               fast_limits limits, fast_box box)
+{
+    fast_worker w = {.run = run, .spare = spare, .few = limits.job, .plan = plan,
+                     .random = random_from_seed(0), .threads = limits.threads};
+    if (n > limits.job)
+        fast_divide(&w, run->site, 0, n, box);
+    else
+        take_few(&w, run->site, 0, n, 0);
+    link_steps(plan);
+    return w.status;
 }

@@ -86,19 +86,19 @@ void fast_bounds(fast_run *run, double width, double height, double unit);
 fast_pool fast_pool_of(uint32_t lo, uint32_t count);
 
 /* Marks all half-edges of the pool as not in use, and lists them. */
-void fast_pool_close(fast_run *run, fast_pool *pool);
+void fast_pool_close(const fast_run *run, fast_pool *pool);
 
 /* The pool of both, after they have been closed. */
-fast_pool fast_pool_join(fast_run *run, fast_pool a, fast_pool b);
+fast_pool fast_pool_join(const fast_run *run, fast_pool a, fast_pool b);
 
 /* Triangulates the sites lo .. lo+count-1, up to three and in order along an axis. */
-void fast_few(fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count);
+void fast_few(const fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count);
 
 /* Makes one Delaunay triangulation of two: the merge of page 3.7.
  *
  * Requires: along some direction all sites of the one come before all of the other;
  * v is the last of the first, w the first of the second. Either may be a single site.
  */
-void fast_merge(fast_run *run, fast_pool *pool, uint32_t v, uint32_t w);
+void fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w);
 
 #endif
