@@ -150,6 +150,11 @@ pictures_and_statistics(void)
                "docs/data/timezones.csv");
     run_tri(0, "triangulate --algorithm divide -o $d/v.ele docs/data/timezones.csv");
     CLAIM("tri.cuts", shell("cmp -s $d/a.ele $d/v.ele") == 1, "--cuts changes nothing");
+    run_tri(0, "generate uniform 10000 -o $d/f.node");
+    run_tri(0, "triangulate --algorithm fast -o $d/f.ele $d/f.node");
+    run_tri(0, "triangulate --algorithm fast --threads 3 -o $d/f3.ele $d/f.node");
+    CLAIM("tri.threads", shell("cmp -s $d/f.ele $d/f3.ele") == 0,
+          "--threads changes the result");
     run_tri(0, "triangulate --algorithm incremental --locator walk --seed 3 -o $d/w.ele "
                "docs/data/timezones.csv");
     run_tri(0, "triangulate --algorithm incremental --locator history --seed 3 -o "
@@ -286,7 +291,8 @@ wrong_arguments_are_explained(void)
         "triangulate --algorithm bubble a", "triangulate --fast a", "hull",
         "triangulate --direction 0,0 a", "triangulate --direction 1 a",
         "triangulate --cuts skew a", "triangulate --locator luck a",
-        "triangulate --seed x a", "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
+        "triangulate --seed x a", "triangulate --threads 0 a", "triangulate --threads two a",
+        "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
         "triangulate -o x.ele -o y.ele a", "triangulate --stats -o - a",
         "generate", "generate uniform", "generate uniform many", "generate lumpy 10",
         "generate uniform -5", "generate uniform 4294967295",

@@ -17,6 +17,8 @@ const command commands[] = {
      "  --cuts WORD        3.7: vertical (if not given) or alternating\n"
      "  --locator WORD     3.6: walk, buckets (if not given), history, grid\n"
      "  --seed N           3.6: names the random order (0 if not given)\n"
+     "  --threads N        fast: how many work at once (1 if not given); the\n"
+     "                     result is the same\n"
      "  -o FILE            the triangles, written as the ending of FILE says\n"
      "  --svg FILE         a picture\n"
      "  --stats            lines `name value` on standard output\n"

@@ -105,7 +105,7 @@ void note_degenerate(uint32_t points, uint32_t locations, uint32_t triangles);
 const algorithm *default_algorithm(void);
 
 /* Takes what some algorithms can be told out of argv (--direction, --cuts, --locator,
- * --seed); what is not given is the default. */
+ * --seed, --threads); what is not given is the default. */
 tri_options parse_options(int *argc, char **argv);
 
 /* ---- distributions.c ---- */

@@ -71,6 +71,10 @@ parse_options(int *argc, char **argv)
         options.locator = (tri_locator)parse_word(argv[0], "--locator", text, locators, 4);
     if ((text = take_option(argc, argv, "--seed")) != NULL)
         options.seed = parse_whole(argv[0], "--seed", text, UINT64_MAX);
+    if ((text = take_option(argc, argv, "--threads")) != NULL)
+        options.threads = (uint32_t)parse_whole(argv[0], "--threads", text, UINT32_MAX);
+    if (options.threads == 0)
+        die_usage(argv[0], "--threads 0: somebody has to do it");
     return options;
 }
 
