@@ -251,6 +251,25 @@ handout_take_out(handout *h)
     }
 }
 
+void
+handout_ask(handout *h)
+{
+    const char *path = format("%s/answers", h->scratch), *rest = h->sections, *section;
+    const char **command = take(20 * sizeof *command);
+    size_t words = 0;
+    command[words++] = h->traces;
+    command[words++] = h->student;
+    while ((section = next_word(&rest)) != NULL && words < 19)
+        if (section_is_asked(h, section))
+            command[words++] = section;
+    int status = run_program(".", path, command);
+    if (status != 0)
+        refuse("%s: there are no questions for %s%s", h->name, h->student,
+               status == 1 ? ": no section asked has any" :
+               format(": %s", file_bytes(path, NULL)));
+    tree_put(&h->tree, "answers.txt", file_bytes(path, NULL));
+}
+
 const char *
 handout_listed(const handout *h)
 {
@@ -260,5 +279,5 @@ handout_listed(const handout *h)
         if (e->role == ROLE_ASKED && !has_word(list, e->path, strlen(e->path)))
             list = format("%s%s%s", list, *list != '\0' ? " " : "", e->path);
     }
-    return list;
+    return *h->student == '\0' ? list : format("%s answers.txt", list);
 }

@@ -1,11 +1,15 @@
 /* handout.c - makes a student's tree from the project.
  *
- *     handout W3|2.3|2.3-b [--variant NAME] [--no-proof] -o FOLDER|FILE.tar.gz
+ *     handout W3|2.3|2.3-b [--variant NAME] [--student ID] [--no-proof]
+ *             -o FOLDER|FILE.tar.gz
  *
  * Run it in the root of the project. The exercises of a week (docs/assignments.ini), of
  * a section, or one alone are taken out of a copy of the sources that they need; what
  * the student reads, runs and hands in is put around them (docs/grading.md). The same
  * project makes the same bytes.
+ *
+ * With --student, answers.txt asks for the first steps of the algorithms on points that
+ * are the student's own (traces.c).
  *
  * The tree is not written before its promises have been seen to be true (proof.c).
  * --no-proof leaves out what takes seconds, for tests: compiling and running it.
@@ -22,20 +26,22 @@
 #include <unistd.h>
 
 typedef struct request {
-    const char *what, *variant, *output;
+    const char *what, *variant, *student, *output;
     bool prove;
 } request;
 
 static request
 parse(int argc, char **argv)
 {
-    request r = {.variant = "", .prove = true};
+    request r = {.variant = "", .student = "", .prove = true};
     bool understood = true;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--no-proof") == 0)
             r.prove = false;
         else if (strcmp(argv[i], "--variant") == 0 && i + 1 < argc)
             r.variant = argv[++i];
+        else if (strcmp(argv[i], "--student") == 0 && i + 1 < argc)
+            r.student = argv[++i];
         else if (strcmp(argv[i], "-o") == 0 && i + 1 < argc)
             r.output = argv[++i];
         else if (argv[i][0] != '-' && r.what == NULL)
@@ -45,7 +51,7 @@ parse(int argc, char **argv)
     }
     if (!understood || r.what == NULL || r.output == NULL) {
         fputs("usage, in the root of the project: handout W3|2.3|2.3-b [--variant NAME] "
-              "[--no-proof] -o FOLDER|FILE.tar.gz\n", stderr);
+              "[--student ID] [--no-proof] -o FOLDER|FILE.tar.gz\n", stderr);
         exit(2);
     }
     return r;
@@ -104,15 +110,18 @@ int
 main(int argc, char **argv)
 {
     request r = parse(argc, argv);
-    handout h = {.name = r.what, .variant = r.variant};
+    handout h = {.name = r.what, .variant = r.variant, .student = r.student};
     h.project = project_read(".");
     h.weave = beside(argv[0], "weave");
     h.signs = beside(argv[0], "signs");
+    h.traces = beside(argv[0], "traces");
     h.scratch = make_scratch();
 
     handout_select(&h);
     handout_collect(&h);
     handout_take_out(&h);
+    if (*h.student != '\0')
+        handout_ask(&h);
     handout_write_pages(&h);
     handout_weave(&h);
     const char *missing = handout_unchecked(&h);

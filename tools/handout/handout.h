@@ -9,10 +9,12 @@ typedef struct handout {
     project project;      /* roles filled in */
     const char *name;     /* "W3", "2.3" or "2.3-b" */
     const char *variant;  /* "" if none */
+    const char *student;  /* whose questions are in answers.txt; "" if nobody's */
     const char *sections; /* whose code is in the tree, in words, in the order of the notes */
     tree tree;
     const char *weave;    /* the program that fills the quotes */
     const char *signs;    /* the program that makes the instances of 3.4 */
+    const char *traces;   /* the program that asks students questions of their own */
     const char *scratch;  /* a folder of our own */
 } handout;
 
@@ -32,6 +34,9 @@ const char *handout_listed(const handout *h);
  * (pages.c). Before weaving, the quotes that are gone give way. */
 void handout_write_pages(handout *h);
 void handout_weave(handout *h);
+
+/* The questions of the student (files.c). */
+void handout_ask(handout *h);
 
 /* Sections without a checker, in words: what is asked there cannot be graded yet (files.c). */
 const char *handout_unchecked(const handout *h);

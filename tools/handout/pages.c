@@ -2,6 +2,7 @@
 #include "tools/handout/handout.h"
 
 #include "tools/handout/basics.h"
+#include "tools/handout/rewrite.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -151,10 +152,38 @@ handout_weave(handout *h)
 
 /* ---- README.md, assignment.ini, assignment.mk. ---- */
 
+/* "order 1, comparisons 1" */
+static const char *
+list_of_properties(const handout *h, const exercise *e)
+{
+    const char *rest = exercise_key(&h->project, e, "points"), *word, *list = "";
+    while ((word = next_word(&rest)) != NULL)
+        list = format("%s%s%s", list, *list != '\0' ? ", " : "",
+                      replace_all(word, ":", " "));
+    return list;
+}
+
+/* "`sweep`, with `attach`": the functions that are checked, and what has been taken out
+ * with them, in case they need it. */
+static const char *
+list_of_functions(const handout *h, const exercise *e)
+{
+    const char *list = "", *name;
+    const char *source = file_bytes(format("%s/%s", h->project.root, e->path), NULL);
+    const char *rest = functions_of(source, e);
+    while ((name = next_word(&rest)) != NULL) {
+        bool checked = has_word(e->functions, name, strlen(name));
+        list = format("%s%s`%s`", list,
+                      *list == '\0' ? "" : checked ? ", " : ", with ", name);
+    }
+    return list;
+}
+
 static const char *
 list_of_exercises(const handout *h)
 {
-    const char *list = "| | | points | stars | hours | needs |\n|---|---|---|---|---|---|\n";
+    const char *list = "| | | to be written | points | stars | hours | needs |\n"
+                       "|---|---|---|---|---|---|---|\n";
     int sum = 0;
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
@@ -163,15 +192,30 @@ list_of_exercises(const handout *h)
         int points = exercise_points(&h->project, e);
         bool bonus = strcmp(exercise_key(&h->project, e, "bonus"), "yes") == 0;
         sum += bonus ? 0 : points;
-        list = format("%s| **%s** | %s: `%s` | %d%s | %s | %s | %s |\n", list, e->id,
-                      exercise_key(&h->project, e, "title"),
-                      replace_all(e->functions + strspn(e->functions, " "), " ", "`, `"),
-                      points, bonus ? " (bonus)" : "",
+        list = format("%s| **%s** | %s | %s | %d%s: %s | %s | %s | %s |\n", list, e->id,
+                      exercise_key(&h->project, e, "title"), list_of_functions(h, e),
+                      points, bonus ? " (bonus)" : "", list_of_properties(h, e),
                       exercise_key(&h->project, e, "stars"),
                       exercise_key(&h->project, e, "hours"),
                       exercise_key(&h->project, e, "needs"));
     }
-    return format("%s\n%d points in all.", list, sum);
+    return format("%s\n%d points in all. One star is easy, four are hard.", list, sum);
+}
+
+/* What opaque mode means, if it comes up. */
+static const char *
+opaque_text(const handout *h)
+{
+    const char *list = "";
+    for (size_t i = 0; i < h->project.exercises; i++) {
+        const exercise *e = &h->project.exercise[i];
+        if (e->role == ROLE_ASKED && strcmp(exercise_program(h, e), "opaque") == 0)
+            list = format("%s%s%s", list, *list != '\0' ? ", " : "", e->id);
+    }
+    return *list == '\0' ? "" : format(
+        "In %s the predicates (`orient2d`, `incircle`, ...) are answered by the checker, "
+        "which also counts them. Then the\ncoordinates of the points say nothing: ask, do "
+        "not compute.\n\n", list);
 }
 
 static const char *
@@ -188,7 +232,8 @@ list_of_files(const handout *h)
 {
     const char *rest = handout_listed(h), *word, *list = "";
     while ((word = next_word(&rest)) != NULL)
-        list = format("%s- [%s](%s)\n", list, word, word);
+        if (ends_with(word, ".c"))
+            list = format("%s- [%s](%s)\n", list, word, word);
     return part_of(list, strlen(list) - 1);
 }
 
@@ -206,9 +251,9 @@ list_of_pages(const handout *h)
         list = format("%s%s[%s](%s)", list, *list != '\0' ? ", " : "", e->section, page);
     }
     return *list == '\0' ? "" : format(
-        "The pages are those of the sections (%s): the ideas, the proofs, the pictures. Where they speak of "
-        "other sections, tests, `build/tri` or `make` with a section's number, they mean the tree from which "
-        "yours was taken.", list);
+        "The pages\nof the sections (%s) have the ideas, the proofs and the pictures. Where "
+        "they speak of other sections,\nof tests, of `build/tri` or of `make` with the number of "
+        "a section, they mean the tree from which yours was taken.", list);
 }
 
 static const char *
@@ -242,6 +287,14 @@ variant_text(const handout *h)
                   "paragraph is right.\n\n", asked, text);
 }
 
+static const char *
+answers_text(const handout *h)
+{
+    return *h->student == '\0' ? "" :
+        "\n`answers.txt` asks for first steps of the algorithms, by hand, on seven points of "
+        "your own. Fill it in; it is handed in\nwith the rest.\n";
+}
+
 static void
 write_readme(handout *h)
 {
@@ -253,6 +306,8 @@ write_readme(handout *h)
     text = replace_all(text, "@PAGES@", list_of_pages(h));
     text = replace_all(text, "@FIRST@", first_asked(h));
     text = replace_all(text, "@VARIANT@", variant_text(h));
+    text = replace_all(text, "@OPAQUE@", opaque_text(h));
+    text = replace_all(text, "@ANSWERS@", answers_text(h));
     tree_put(&h->tree, "README.md", text);
 }
 
@@ -262,8 +317,8 @@ static void
 write_assignment(handout *h)
 {
     const char *text = format("# What is asked. Written with the tree; do not edit.\n\n"
-                              "[assignment]\nname = %s\nvariant = %s\nfiles = %s\n",
-                              h->name, h->variant, handout_listed(h));
+                              "[assignment]\nname = %s\nvariant = %s\nstudent = %s\nfiles = %s\n",
+                              h->name, h->variant, h->student, handout_listed(h));
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
         if (e->role != ROLE_ASKED)
