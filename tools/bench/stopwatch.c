@@ -92,7 +92,7 @@ stopwatch_stop(const stopwatch *w)
 double
 stopwatch_least(size_t n)
 {
-    return n < 50000 ? 0.04 : 0.2;
+    return n < 50000 ? 0.03 : 0.2;
 }
 
 size_t
