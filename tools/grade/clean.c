@@ -93,6 +93,21 @@ clean(const char *bytes, size_t size, size_t most)
     return text;
 }
 
+/* A character beyond ASCII, by its number, or by two of them: so the file is the same in
+ * every encoding. Returns how many bytes it has. */
+static size_t
+print_escaped(FILE *file, const char *at)
+{
+    uint32_t c = '?';
+    size_t length = decode((const unsigned char *)at, strlen(at), &c);
+    if (c >= 0x10000)
+        fprintf(file, "\\u%04x\\u%04x", (unsigned)(0xD800 + ((c - 0x10000) >> 10)),
+                (unsigned)(0xDC00 + (c & 0x3FF)));
+    else
+        fprintf(file, "\\u%04x", (unsigned)c);
+    return length > 0 ? length : 1;
+}
+
 void
 print_json(FILE *file, const char *text)
 {
@@ -104,8 +119,10 @@ print_json(FILE *file, const char *text)
             fputs("\\n", file);
         else if ((unsigned char)*c < 0x20 || *c == '<' || *c == '>' || *c == '&')
             fprintf(file, "\\u%04x", (unsigned)(unsigned char)*c);
-        else
+        else if ((unsigned char)*c < 0x80)
             putc(*c, file);
+        else
+            c += print_escaped(file, c) - 1;
     putc('"', file);
 }
 

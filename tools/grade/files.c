@@ -163,29 +163,58 @@ is_listed(const assignment *a, const char *path)
     return false;
 }
 
+typedef struct strangers {
+    const char **path;
+    size_t count;
+    int entries; /* that have been looked at */
+} strangers;
+
 /* Finds sources below folder/path that neither the assignment lists nor the tree has.
  * The length of a name bounds the depth. */
-static const char *
-find_strangers(const grading *g, const char *folder, const char *path, int *entries,
-               const char *notes)
+static void
+find_strangers(const grading *g, const char *folder, const char *path, strangers *s)
 {
     DIR *d = opendir(format("%s/%s", folder, path));
-    for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL && ++*entries < MOST_ENTRIES;) {
+    for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
         const char *name = *path != '\0' ? format("%s/%s", path, e->d_name)
                                          : format("%s", e->d_name);
         bool source = ends_with(name, ".c") || ends_with(name, ".h");
         if (e->d_name[0] == '.' || strcmp(name, "build") == 0 || strlen(name) > 300)
             continue;
-        if (is_folder(format("%s/%s", folder, name)))
-            notes = find_strangers(g, folder, name, entries, notes);
-        else if (source && !is_listed(&g->asked, name) &&
-                 access(format("%s/%s", g->base, name), F_OK) != 0)
-            notes = format("%s%s is not one of the files to be handed in, and is not used.\n",
-                           notes, clean(name, strlen(name), 300));
+        if (++s->entries > MOST_ENTRIES)
+            break;
+        if (is_folder(format("%s/%s", folder, name))) {
+            find_strangers(g, folder, name, s);
+        } else if (source && !is_listed(&g->asked, name) &&
+                   access(format("%s/%s", g->base, name), F_OK) != 0) {
+            s->path = take_one_more(s->path, s->count, sizeof *s->path);
+            s->path[s->count++] = clean(name, strlen(name), 300);
+        }
     }
     if (d != NULL)
         closedir(d);
-    return notes;
+}
+
+static int
+by_letters(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* One sentence about the first few. */
+static const char *
+tell_strangers(const grading *g, const char *folder)
+{
+    strangers s = {0};
+    const char *list = "";
+    find_strangers(g, folder, "", &s);
+    if (s.count == 0)
+        return "";
+    qsort(s.path, s.count, sizeof *s.path, by_letters);
+    for (size_t i = 0; i < s.count && i < 5; i++)
+        list = format("%s%s%s", list, i > 0 ? ", " : "", s.path[i]);
+    return format("Not among the files to be handed in, and not used: %s%s.\n", list,
+                  s.count > 5 ? format(" and %zu more", s.count - 5) : "");
 }
 
 /* ---- All of it. ---- */
@@ -260,8 +289,7 @@ files_collect(const grading *g, const char *path, const char *to)
             bytes = file_bytes(format("%s/%s", g->base, a->file[i]), &size);
         write_file(format("%s/%s", to, a->file[i]), bytes, size);
     }
-    int entries = 0;
     if (s.folder != NULL)
-        l.notes = find_strangers(g, s.folder, "", &entries, l.notes);
+        l.notes = format("%s%s", l.notes, tell_strangers(g, s.folder));
     return l;
 }

@@ -244,6 +244,8 @@ name_of(const char *path)
     while (length > 1 && path[length - 1] == '/')
         length--;
     const char *name = part_of(path, length);
+    if (strcmp(name, ".") == 0)
+        name = current_folder();
     if (strrchr(name, '/') != NULL && strrchr(name, '/')[1] != '\0')
         name = strrchr(name, '/') + 1;
     static const char *const endings[] = {".tar", ".tar.gz", ".tgz"};
