@@ -75,13 +75,13 @@ peers_do_what_they_want(void)
 static void
 ratios_are_ratios(void)
 {
-    int status = shell("$build/bench/bench -r 2 -o $d grid circle 500 2000 divide "
+    int status = shell("$build/bench/bench -r 2 -o $d grid circle 200 divide "
                        ">$d/out 2>$d/err");
     CLAIM("bench.goes_on", status == 0, "exit status %d", status);
     status = shell("awk -F, 'NR > 1 && $3 == \"yardstick\" { least[$1, $2] = $6 }"
                    "$3 == \"divide\" { rows++; r = $6 / least[$1, $2] / $12;"
                    "  if ($7 < $6 || $5 != 2 || r < 0.99 || r > 1.01) bad = 1 }"
-                   "END { exit bad || rows != 4 }' $d/bench.csv");
+                   "END { exit bad || rows != 2 }' $d/bench.csv");
     CLAIM("bench.ratios", status == 0, "%s", read_scratch("bench.csv").text);
 }
 

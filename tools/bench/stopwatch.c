@@ -98,5 +98,5 @@ stopwatch_least(size_t n)
 size_t
 stopwatch_copies(size_t n)
 {
-    return 1 + (size_t)(stopwatch_least(n) / 10e-9) / (n + 1);
+    return 1 + (size_t)(stopwatch_least(n) / 20e-9) / (n + 1);
 }

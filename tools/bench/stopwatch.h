@@ -42,7 +42,7 @@ times stopwatch_stop(const stopwatch *w);
  * and serve to see the growth. */
 double stopwatch_least(size_t n);
 
-/* So many copies of n points are enough for a sort to take that long, at 10 ns a point
+/* So many copies of n points are enough for a sort to take that long, at 20 ns a point
  * at the least; a larger input is sorted once. */
 size_t stopwatch_copies(size_t n);
 
