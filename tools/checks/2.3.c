@@ -86,10 +86,8 @@ order_is_cheap(session *s, const site *p, uint32_t n)
 
 /* What has been swept before p: a triangulation, or a path. */
 typedef struct scene {
-    uint32_t p, latest;  /* the last two locations in the order of the sweep */
-    triangle_list list;  /* of all other points than p */
-    uint32_t *path;      /* without triangles: their path, */
-    uint32_t length;     /* and how many vertices it has */
+    uint32_t p, latest; /* the last two locations in the order of the sweep */
+    piece before;       /* of all other points than p */
 } scene;
 
 /* Finds p and the location before it; false when there are fewer than three. */
@@ -116,21 +114,11 @@ static void
 set_scene(session *s, scene *sc, const site *p, uint32_t n)
 {
     uint32_t *swept = room_for(n, sizeof *swept), count = 0;
-    site *at = room_for(n, sizeof *at);
     for (uint32_t i = 0; i < n; i++)
-        if (!plane_same(p[i], p[sc->p])) {
-            at[count] = p[i];
+        if (!plane_same(p[i], p[sc->p]))
             swept[count++] = i;
-        }
-    sc->list = mesh_at_random(trial_random(s), at, count, false);
-    for (uint32_t i = 0; i < 3 * sc->list.count; i++)
-        sc->list.corner[i / 3][i % 3] = swept[sc->list.corner[i / 3][i % 3]];
-    keep_triangles(s, sc->list);
-    sc->path = room_for(n, sizeof *sc->path);
-    sc->length = sc->list.count > 0 ? 0 : path_of(at, count, sc->path);
-    for (uint32_t i = 0; i < sc->length; i++)
-        sc->path[i] = swept[sc->path[i]];
-    free(at);
+    sc->before = piece_at_random(trial_random(s), p, swept, count, false);
+    keep_triangles(s, sc->before.list);
     free(swept);
 }
 
@@ -138,10 +126,10 @@ static void
 give_scene(session *s, const scene *sc)
 {
     give_points(s);
-    if (sc->list.count > 0)
-        give_triangles(s, sc->list);
+    if (sc->before.list.count > 0)
+        give_triangles(s, sc->before.list);
     else
-        give_path(s, sc->path, sc->length);
+        give_path(s, sc->before.path, sc->before.length);
     give_number(s, sc->latest);
     give_number(s, sc->p);
 }
@@ -151,14 +139,16 @@ static uint32_t
 count_seen(const scene *sc, const site *p)
 {
     uint32_t count = 0;
-    halfedge_id *twin = room_for(3 * sc->list.count, sizeof *twin);
-    certify_twins(sc->list, twin);
-    for (halfedge_id e = 0; e < 3 * sc->list.count; e++)
-        if (twin[e] == NONE && plane_orient(p[side_origin(sc->list, e)],
-                                            p[side_dest(sc->list, e)], p[sc->p]) < 0)
+    triangle_list list = sc->before.list;
+    halfedge_id *twin = room_for(3 * list.count, sizeof *twin);
+    certify_twins(list, twin);
+    for (halfedge_id e = 0; e < 3 * list.count; e++)
+        if (twin[e] == NONE && plane_orient(p[side_origin(list, e)],
+                                            p[side_dest(list, e)], p[sc->p]) < 0)
             count++;
-    for (uint32_t i = 1; i < sc->length; i++)
-        if (plane_orient(p[sc->path[i - 1]], p[sc->path[i]], p[sc->p]) != 0)
+    const uint32_t *path = sc->before.path;
+    for (uint32_t i = 1; i < sc->before.length; i++)
+        if (plane_orient(p[path[i - 1]], p[path[i]], p[sc->p]) != 0)
             count++;
     free(twin);
     return count;
@@ -200,7 +190,7 @@ check_chain(session *s, const site *p, uint32_t n, bool all)
         }
         take_end(s);
     }
-    free(sc.path);
+    free(sc.before.path);
 }
 
 static void
@@ -217,27 +207,6 @@ what_is_seen_is_listed(session *s, const site *p, uint32_t n)
 
 /* ---- 2.3-c: the sweep. ---- */
 
-/* On a line: one edge between neighbours, and no other. */
-static void
-take_path(session *s, const site *p, uint32_t n)
-{
-    uint32_t *path = room_for(n, sizeof *path);
-    uint32_t locations = path_of(p, n, path);
-    uint32_t edges = take_number(s, 0, 3 * n, "the number of edges");
-    expect(s, failed(s) || edges + 1 == locations || locations < 2,
-           "%lu edges on a line with %lu locations", (unsigned long)edges,
-           (unsigned long)locations);
-    for (uint32_t i = 0; i < edges && !failed(s); i++) {
-        uint32_t a = take_number(s, 0, n - 1, "the end of an edge");
-        uint32_t b = take_number(s, 0, n - 1, "the end of an edge");
-        for (uint32_t k = 0; k < n && !failed(s); k++)
-            expect(s, plane_dot(p[a], p[k], p[b]) >= 0 && !plane_same(p[a], p[b]),
-                   "the edge %lu-%lu passes over %lu", (unsigned long)a,
-                   (unsigned long)b, (unsigned long)k);
-    }
-    free(path);
-}
-
 static void
 sweep_triangulates(session *s, const site *p, uint32_t n)
 {
@@ -250,7 +219,7 @@ sweep_triangulates(session *s, const site *p, uint32_t n)
     if (failed(s) || !expect_verdict(s, certify_triangulation(p, n, list)))
         return;
     if (cases_are_collinear(p, n))
-        take_path(s, p, n);
+        take_path(s);
 }
 
 static void

@@ -110,6 +110,10 @@ double take_real(session *s, const char *what);
  * On failure it is empty. */
 triangle_list take_triangles(session *s, uint32_t n, uint32_t most);
 
+/* A number of edges, and the ends of each. Collinear points have one edge between
+ * neighbours, and no other; anything else fails the trial. */
+void take_path(session *s);
+
 /* The answer must end here. */
 void take_end(session *s);
 

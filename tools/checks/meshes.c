@@ -159,3 +159,21 @@ path_of(const site *points, uint32_t n, uint32_t *path)
         }
     return count;
 }
+
+piece
+piece_at_random(random_source *source, const site *points, const uint32_t *part,
+                uint32_t count, bool delaunay)
+{
+    site *at = room_for(count, sizeof *at);
+    for (uint32_t i = 0; i < count; i++)
+        at[i] = points[part[i]];
+    piece found = {mesh_at_random(source, at, count, delaunay),
+                   room_for(count, sizeof *found.path), 0};
+    for (uint32_t i = 0; i < 3 * found.list.count; i++)
+        found.list.corner[i / 3][i % 3] = part[found.list.corner[i / 3][i % 3]];
+    found.length = found.list.count > 0 ? 0 : path_of(at, count, found.path);
+    for (uint32_t i = 0; i < found.length; i++)
+        found.path[i] = part[found.path[i]];
+    free(at);
+    return found;
+}

@@ -19,4 +19,14 @@ triangle_list mesh_at_random(random_source *source, const site *points, uint32_t
  * Requires: room for n. Returns how many. */
 uint32_t path_of(const site *points, uint32_t n, uint32_t *path);
 
+/* A random triangulation of some of the points; if they are collinear, their path. */
+typedef struct piece {
+    triangle_list list;
+    uint32_t *path, length;
+} piece;
+
+/* Of the points with the indices part[0 .. count-1]; as above. The caller frees both. */
+piece piece_at_random(random_source *source, const site *points, const uint32_t *part,
+                      uint32_t count, bool delaunay);
+
 #endif

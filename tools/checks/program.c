@@ -266,7 +266,7 @@ reply_to(questions *q, wire_kind kind, const uint64_t *word, size_t count, int64
 {
     site s[4];
     if (kind == WIRE_RANDOM) {
-        if (count != 1 || word[0] == 0 || word[0] > UINT32_MAX || q->drawn == 64)
+        if (count != 1 || word[0] == 0 || word[0] > UINT32_MAX)
             return false;
         *reply = q->drawn < q->choices ? (int64_t)q->chosen[q->drawn] : 0;
         q->below[q->drawn++] = (uint32_t)word[0];
@@ -312,6 +312,8 @@ converse(program *p, questions *q, double deadline, words *answer)
             return FATE_ANSWERED;
         if (head[0] == WIRE_TODO)
             return FATE_TODO;
+        if (head[0] == WIRE_RANDOM && q->drawn == MOST_DRAWN)
+            return FATE_TIMEOUT; /* it may never be content */
         int64_t reply;
         if (!reply_to(q, (wire_kind)head[0], answer->word, answer->count, &reply))
             return FATE_MALFORMED;

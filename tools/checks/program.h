@@ -25,6 +25,8 @@ typedef enum fate {
     FATE_FORBIDDEN  /* the jail ended it: a forbidden system call */
 } fate;
 
+enum { MOST_DRAWN = 64 }; /* random numbers in a case; more are too many */
+
 /* What the questions of a case are about, and how many were asked. */
 typedef struct questions {
     const site *at;        /* point -> where it is */
@@ -35,7 +37,7 @@ typedef struct questions {
     /* WIRE_RANDOM: the k-th answer is chosen[k], or 0; below[k] is what was asked. */
     const uint32_t *chosen;
     uint32_t choices;
-    uint32_t below[64];
+    uint32_t below[MOST_DRAWN];
     uint32_t drawn;
 } questions;
 

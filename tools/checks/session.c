@@ -220,6 +220,37 @@ take_triangles(session *s, uint32_t n, uint32_t most)
     return list;
 }
 
+/* Edges that pass over no location and begin, seen from the left, at different ones: if
+ * they are as many as neighbours, they are those between neighbours. */
+void
+take_path(session *s)
+{
+    static const site rightwards = {1, 0};
+    const site *p = s->about.at;
+    uint32_t n = s->about.n;
+    uint32_t *begins = room_for(n, sizeof *begins); /* location -> edges */
+    uint32_t locations = cases_locations(p, n, begins);
+    memset(begins, 0, n * sizeof *begins);
+    uint32_t edges = take_number(s, 0, 3 * n, "the number of edges");
+    expect(s, edges + 1 == locations || (locations < 2 && edges == 0),
+           "%lu edges on a line with %lu locations", (unsigned long)edges,
+           (unsigned long)locations);
+    for (uint32_t i = 0; i < edges && !s->failed; i++) {
+        uint32_t a = take_number(s, 0, n - 1, "the end of an edge");
+        uint32_t b = take_number(s, 0, n - 1, "the end of an edge");
+        for (uint32_t k = 0; k < n && !s->failed; k++)
+            expect(s, plane_dot(p[a], p[k], p[b]) >= 0 && !plane_same(p[a], p[b]),
+                   "the edge %lu-%lu passes over %lu", (unsigned long)a,
+                   (unsigned long)b, (unsigned long)k);
+        uint32_t left = plane_along(rightwards, p[a], p[b]) < 0 ? a : b, at = 0;
+        while (!plane_same(p[at], p[left]))
+            at++;
+        expect(s, begins[at]++ == 0,
+               "the edge %lu-%lu is there twice", (unsigned long)a, (unsigned long)b);
+    }
+    free(begins);
+}
+
 void
 take_end(session *s)
 {

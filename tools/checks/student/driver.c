@@ -100,6 +100,17 @@ case_mesh(uint32_t n, mesh *m)
 }
 
 void
+append_mesh(mesh *m, const mesh *part)
+{
+    halfedge_id first = mesh_halfedges(m);
+    for (halfedge_id e = 0; e < mesh_halfedges(part); e += 3)
+        mesh_add_triangle(m, mesh_origin(part, e), mesh_dest(part, e),
+                          mesh_apex(part, e));
+    for (halfedge_id e = 0; e < mesh_halfedges(part); e++)
+        mesh_link(m, first + e, first + mesh_twin(part, e));
+}
+
+void
 answer_number(uint64_t number)
 {
     words_put(&now.answer, number);

@@ -33,6 +33,10 @@ uint32_t *case_numbers(uint32_t *n);
  * e of the mesh is side e of the case. */
 uint32_t case_mesh(uint32_t n, mesh *m);
 
+/* Adds the triangles of `part` to those of *m, ghosts included: half-edge 0 of `part`
+ * becomes the next one of *m. Requires: *m has room for them. */
+void append_mesh(mesh *m, const mesh *part);
+
 /* ---- The answer. ---- */
 
 void answer_number(uint64_t number);

@@ -10,6 +10,7 @@
 #include "lib/point.h"
 #include "tools/checks/wire.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -54,6 +55,15 @@ static inline int
 incircle(point2 a, point2 b, point2 c, point2 d)
 {
     return ask_about(WIRE_INCIRCLE, a, b, c, d, 4);
+}
+
+/* (p-q) x (r-s), if the vectors end in the same point. */
+static inline int
+cross_sign(point2 p, point2 q, point2 r, point2 s)
+{
+    if (q.x != s.x || q.y != s.y)
+        abort(); /* nobody asks this */
+    return orient2d(p, r, q);
 }
 
 /* A point of space has no ticket: what asks this is checked in plain mode. */
