@@ -87,7 +87,7 @@ typedef struct diagram {
 static void
 take_vertices(session *s, diagram *d, uint32_t n)
 {
-    d->vertices = take_number(s, 0, 2 * n, "the number of vertices");
+    d->vertices = take_number(s, 0, n < 3 ? 0 : 2 * n, "the number of vertices");
     for (uint32_t i = 0; i < d->vertices; i++) {
         d->size[i] = take_number(s, 3, n, "the number of sites of a vertex");
         for (uint32_t k = 0; k < d->size[i]; k++)

@@ -248,7 +248,10 @@ flips_are_undone(session *s, const site *p, uint32_t n)
     forget_reported(&r);
     if (failed(s) || !ask_flips(s, p, n, 1, &list, &q, &once))
         return;
-    expect(s, failed(s) || once.origin[q.ab] == q.d, "one flip changes nothing");
+    expect(s, failed(s) || once.origin[q.ab] == q.d,
+           "after one flip the half-edge from %lu to %lu leaves %lu, and not %lu",
+           (unsigned long)q.a, (unsigned long)q.b, (unsigned long)once.origin[q.ab],
+           (unsigned long)q.d);
     forget_reported(&once);
 }
 

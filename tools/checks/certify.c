@@ -276,9 +276,17 @@ certify_hull(const site *points, uint32_t n, const vertex_id *hull, uint32_t cou
         return verdict_refuted("a hull of %lu vertices", (unsigned long)count);
     for (uint32_t i = 0; i < count; i++) {
         vertex_id a = hull[i], b = hull[(i + 1) % count], c = hull[(i + 2) % count];
+        if (plane_orient(points[a], points[b], points[c]) < 0)
+            return refuted_at("the hull turns right: it is listed clockwise, or goes to a "
+                              "point inside", a, b, c);
         verdict v = check_turn(points, a, b, c, &maxima);
         if (!v.holds)
             return v;
+    }
+    if (maxima != 1)
+        return verdict_refuted("the hull runs around %lu times", (unsigned long)maxima);
+    for (uint32_t i = 0; i < count; i++) {
+        vertex_id a = hull[i], b = hull[(i + 1) % count];
         for (uint32_t p = 0; p < n; p++) {
             if (plane_orient(points[a], points[b], points[p]) < 0)
                 return refuted_at("a point lies outside of a hull edge", a, b, p);
@@ -287,7 +295,5 @@ certify_hull(const site *points, uint32_t n, const vertex_id *hull, uint32_t cou
                 return refuted_at("a point inside a hull edge is left out", a, b, p);
         }
     }
-    if (maxima != 1)
-        return verdict_refuted("the hull runs around %lu times", (unsigned long)maxima);
     return verdict_holds();
 }
