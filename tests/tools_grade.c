@@ -418,19 +418,20 @@ a_machine_that_cannot_grade_is_noticed(void)
 static void
 a_zero_is_there_first(void)
 {
-    make_faulty("slow", "sleep 60");
+    make_faulty("slow", "echo $$ >\"$d/slow.pid\"; exec sleep 60");
     shell("chmod 711 $d; mkdir $d/tmp");
     int status = shell("TMPDIR=$d/tmp $build/grade --base $d/slow --format gradescope "
                        "-o $d/killed $d/class/good >$d/out 2>&1 & grader=$!; "
                        "for i in $(seq 60); do sleep 0.2; "
-                       "test -e $d/killed/results.json && break; done; "
+                       "test -e $d/slow.pid && break; done; "
                        "cp $d/killed/results.json $d/first.json; kill $grader; wait $grader; "
-                       "ls -A $d/tmp >$d/out; test ! -s $d/out");
+                       "ls -A $d/tmp >$d/out; test ! -s $d/out && sleep 0.2 && "
+                       "! grep -q 'State:.[RSDT]' /proc/$(cat $d/slow.pid)/status");
     const json *last = item_of(json_member(read_json("first.json"), "tests"), 1);
     CLAIM("grade.zero", strstr(text_of(json_member(last, "output")), "interrupted") != NULL &&
           number_of(json_member(last, "score")) == 0, "%s", whole("first.json"));
     CLAIM("grade.zero", status == 0 && read_json("killed/results.json") != NULL,
-          "files are left: %s", read_scratch("out").text);
+          "files are left, or a process: %s", read_scratch("out").text);
 }
 
 /* --supply: 2.3-c is right, and rests on a 2.3-b that is wrong. */

@@ -98,18 +98,33 @@ parse(int argc, char **argv)
 
 static const char *work; /* removed at the end */
 static pid_t owner;      /* by the process that has made it, and by no worker */
+static pid_t *workers;   /* of the owner: those that run, and zeros */
+static int most_workers;
 
+/* In a signal handler, too: so no memory is taken. */
 static void
 remove_work(void)
 {
-    if (getpid() == owner)
-        remove_folder(work);
+    if (getpid() != owner)
+        return;
+    pid_t child = fork();
+    if (child == 0) {
+        execl("/bin/rm", "rm", "-rf", work, (char *)NULL);
+        _exit(127);
+    }
+    waitpid(child, NULL, 0);
 }
 
+/* What is being run ends, and nothing is left behind. */
 static void
 interrupted(int signal_number)
 {
     run_end();
+    for (int i = 0; getpid() == owner && i < most_workers; i++)
+        if (workers[i] > 0) {
+            kill(workers[i], SIGTERM);
+            waitpid(workers[i], NULL, 0);
+        }
     remove_work();
     signal(signal_number, SIG_DFL);
     raise(signal_number);
@@ -221,7 +236,6 @@ prepare(const request *r, const char *self)
 typedef struct submission {
     const char *name, *path; /* path NULL: on the roster, and nothing handed in */
     const char *output;
-    pid_t worker;
 } submission;
 
 typedef struct class {
@@ -410,46 +424,73 @@ grade_one(const grading *g, const submission *s)
     _exit(r.fault != NULL ? FAULT : GRADED);
 }
 
-/* A worker that ends otherwise has failed itself. */
+/* What became of a worker; one that ends in another way has failed itself. */
 static int
-worker_ended(const grading *g, submission *s, int status)
+worker_ended(const grading *g, const submission *s, int status)
 {
     int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    s->worker = 0;
-    if (ended != GRADED && ended != FAULT) {
-        result r = result_nothing(&g->asked, s->name, "");
-        r.fault = format("the process that grades it ended with status %d", status);
-        formats_write(g, &r, s->output);
-        leave_row(g, s, &r, "");
-        ended = FAULT;
-    }
-    return ended;
+    if (ended == GRADED || ended == FAULT)
+        return ended;
+    result r = result_nothing(&g->asked, s->name, "");
+    r.fault = format("the process that grades it ended with status %d", status);
+    formats_write(g, &r, s->output);
+    leave_row(g, s, &r, "");
+    return FAULT;
 }
 
 static int
-grade_all(const grading *g, class *c, int workers)
+wait_for_worker(const grading *g, submission *const *of)
 {
-    int running = 0, worst = GRADED, status;
-    size_t next = 0;
-    while (next < c->count || running > 0) {
-        if (next < c->count && running < workers) {
+    int status;
+    pid_t ended = wait(&status);
+    for (int i = 0; ended > 0 && i < most_workers; i++)
+        if (workers[i] == ended) {
+            workers[i] = 0;
+            return worker_ended(g, of[i], status);
+        }
+    return GRADED;
+}
+
+/* The place of a worker that is not there yet, or has ended; -1: all are busy. */
+static int
+free_worker(void)
+{
+    for (int i = 0; i < most_workers; i++)
+        if (workers[i] == 0)
+            return i;
+    return -1;
+}
+
+static bool
+any_worker(void)
+{
+    for (int i = 0; i < most_workers; i++)
+        if (workers[i] != 0)
+            return true;
+    return false;
+}
+
+static int
+grade_all(const grading *g, class *c, int count)
+{
+    int worst = GRADED;
+    submission **of = take((size_t)count * sizeof(submission *));
+    workers = take((size_t)count * sizeof *workers);
+    most_workers = count;
+    for (size_t next = 0; next < c->count || any_worker();) {
+        int i = free_worker();
+        if (next < c->count && i >= 0) {
+            of[i] = &c->at[next++];
             fflush(NULL);
-            pid_t worker = fork();
-            if (worker < 0)
+            workers[i] = fork();
+            if (workers[i] < 0)
                 give_up("fork");
-            if (worker == 0)
-                grade_one(g, &c->at[next]);
-            c->at[next++].worker = worker;
-            running++;
+            if (workers[i] == 0)
+                grade_one(g, of[i]);
             continue;
         }
-        pid_t ended = wait(&status);
-        for (size_t i = 0; ended > 0 && i < next; i++)
-            if (c->at[i].worker == ended) {
-                int how = worker_ended(g, &c->at[i], status);
-                worst = how > worst ? how : worst;
-                running--;
-            }
+        int how = wait_for_worker(g, of);
+        worst = how > worst ? how : worst;
     }
     return worst;
 }
