@@ -604,8 +604,8 @@ static bool
 answer_passes(const char *section, const char *name, const char *answer)
 {
     char text[400], arguments[100], line[50];
-    snprintf(text, sizeof text, "---- 9.9\n%s: 1\n---- %s\n%s: %s\n", name, section, name,
-             answer);
+    snprintf(text, sizeof text, "---- 9.9\n%s: 1\n---- %s\n%s: %s\n---- 9.9\n%s: 1\n", name,
+             section, name, answer, name);
     write_file("answers.txt", text);
     snprintf(arguments, sizeof arguments, "--check anna answers.txt %s", section);
     must(run_tool("traces", arguments) == 0, said);
@@ -717,6 +717,9 @@ the_stack_is_that_of_three_flips(void)
             sprintf(answer, "%d, %d, %d, %d", a, b, c, d);
             CLAIM("traces.witness", answer_passes("3.5", "witness", answer) == bad, "%s: %s",
                   answer, said);
+            sprintf(answer, "%d %d %d %d", a, b, c, a);
+            CLAIM("traces.wrong", !answer_passes("3.5", "witness", answer), "%s: %s", answer,
+                  said);
             witnesses += bad;
             edges++;
         }
@@ -759,7 +762,7 @@ each_student_has_questions_of_their_own(void)
     snprintf(annas, sizeof annas, "%.4999s", said);
     CLAIM("traces.same", run_tool("traces", "anna 2.3 3.5 3.6") == 0 &&
           strcmp(said, annas) == 0, "%s", said);
-    run_tool("traces", "hanna 2.3 3.5 3.6");
+    run_tool("traces", "hann 2.3 3.5 3.6");
     CLAIM("traces.own", strcmp(strstr(said, "points"), strstr(annas, "points")) != 0, "%s",
           said);
     CLAIM("traces.none", run_tool("traces", "anna 2.1") == 1, "%s", said);
