@@ -19,14 +19,6 @@
 
 #include <stdlib.h>
 
-/* The diagram of some points, by any Delaunay triangulation of them. */
-static void
-some_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d)
-{
-    random_delaunay(points, n, m);
-    CLAIM("sec3.1.P4", voronoi_dual(m, points, d) == TRI_OK, "no diagram");
-}
-
 static uint32_t
 cell_size(const voronoi *d, vertex_id p)
 {
@@ -38,10 +30,9 @@ cell_size(const voronoi *d, vertex_id p)
 static void
 the_dual_is_certified(const point2 *points, uint32_t n)
 {
-    mesh m;
     voronoi d;
     verdict v;
-    random_delaunay(points, n, &m);
+    mesh m = random_delaunay(points, n);
     uint32_t interior = 0;
     for (halfedge_id e = 0; e < mesh_halfedges(&m); e++)
         interior += e < mesh_twin(&m, e) && mesh_is_interior(&m, e);
@@ -65,7 +56,7 @@ the_dual_has_the_regions(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     for (vertex_id p = 0; p < n; p++) {
         if (mesh_leaving(&m, p) == NONE)
             continue;
@@ -98,7 +89,7 @@ the_triangulation_does_not_matter(const point2 *points, uint32_t n)
     mesh m[2];
     voronoi d[2];
     for (int i = 0; i < 2; i++)
-        some_diagram(points, n, &m[i], &d[i]);
+        random_diagram(points, n, &m[i], &d[i]);
     CLAIM("sec3.1.P5",
           d[0].vertices == d[1].vertices && d[0].edges == d[1].edges,
           "%u and %u vertices", d[0].vertices, d[1].vertices);
@@ -128,7 +119,7 @@ vertices_have_empty_circles(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     for (uint32_t v = 0; v < d.vertices; v++) {
         const vertex_id *s = d.vertex_site + d.vertex_first[v];
         uint32_t size = d.vertex_first[v + 1] - d.vertex_first[v],
@@ -158,7 +149,7 @@ edges_have_two_nearest_sites(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     for (uint32_t k = 0; k < d.edges; k++) {
         voronoi_edge e = d.edge[k];
         if (e.from == NONE || e.to == NONE)
@@ -191,7 +182,7 @@ unbounded_cells_are_on_the_hull(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     bool *on_hull = calloc(n + 1, sizeof *on_hull);
     vertex_id *hull = malloc((n + 1) * sizeof *hull);
     uint32_t h = hull_vertices(&m, hull), u = m.locations;
@@ -230,7 +221,7 @@ the_counts_are_right(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     uint32_t u = d.cells, v = d.vertices, e = d.edges;
     if (affine_dimension(points, n) == 2) {
         CLAIM("E14", u + v == e + 1, "n = %u, v = %u, e = %u", u, v, e);
@@ -266,7 +257,7 @@ nearest_sites_share_an_edge(const point2 *points, uint32_t n)
 {
     mesh m;
     voronoi d;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     for (vertex_id p = 0; p < n && m.locations > 1; p++) {
         if (mesh_leaving(&m, p) == NONE)
             continue;

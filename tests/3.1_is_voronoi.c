@@ -11,14 +11,6 @@
 
 #include <string.h>
 
-/* The diagram of some points, by any Delaunay triangulation of them. */
-static void
-some_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d)
-{
-    random_delaunay(points, n, m);
-    CLAIM("sec3.1.P4", voronoi_dual(m, points, d) == TRI_OK, "no diagram");
-}
-
 /* ---- Damage. ---- */
 
 /* Some damage to a diagram; false when it has nothing to be damaged there. */
@@ -90,7 +82,7 @@ damage_is_seen(const point2 *points, uint32_t n)
     mesh m;
     voronoi d;
     verdict v;
-    some_diagram(points, n, &m, &d);
+    random_diagram(points, n, &m, &d);
     uint32_t kind = random_below(test_random_source(), 9);
     bool damaged = damage(&d, kind);
     CLAIM("sec3.1.P11", is_voronoi(points, n, &d, &v) == TRI_OK,
@@ -212,19 +204,6 @@ only_delaunay_has_the_dual(const point2 *points, uint32_t n)
     mesh_free(&m);
 }
 
-/* Is the triangle in the list, whichever corner comes first? */
-static bool
-has_triangle(triangle_list list, const vertex_id *t)
-{
-    for (uint32_t k = 0; k < list.count; k++)
-        for (int i = 0; i < 3; i++)
-            if (list.corner[k][i] == t[0] &&
-                list.corner[k][(i + 1) % 3] == t[1] &&
-                list.corner[k][(i + 2) % 3] == t[2])
-                return true;
-    return false;
-}
-
 /* One vertex for each triangle is the diagram of Definition 6 exactly in
  * general position; the numbers are those of the triangulation. */
 static void
@@ -234,7 +213,7 @@ per_triangle_is_the_triangulation(const point2 *points, uint32_t n)
     voronoi merged, d;
     verdict v;
     triangle_list list;
-    some_diagram(points, n, &m, &merged);
+    random_diagram(points, n, &m, &merged);
     CLAIM("sec3.1.P5", voronoi_per_triangle(&m, &d) == TRI_OK, "out of memory");
     CLAIM("sec3.1.P5", mesh_triangles(&m, &list) == TRI_OK, "out of memory");
     CLAIM("sec3.1.P5", d.vertices == list.count, "%u vertices", d.vertices);

@@ -13,28 +13,7 @@
 
 #include <string.h>
 
-/* The diagram of some points, by any Delaunay triangulation of them. */
-static void
-some_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d)
-{
-    random_delaunay(points, n, m);
-    CLAIM("sec3.1.P4", voronoi_dual(m, points, d) == TRI_OK, "no diagram");
-}
-
 /* ---- Uniqueness. ---- */
-
-/* Is the triangle in the list, whichever corner comes first? */
-static bool
-has_triangle(triangle_list list, const vertex_id *t)
-{
-    for (uint32_t k = 0; k < list.count; k++)
-        for (int i = 0; i < 3; i++)
-            if (list.corner[k][i] == t[0] &&
-                list.corner[k][(i + 1) % 3] == t[1] &&
-                list.corner[k][(i + 2) % 3] == t[2])
-                return true;
-    return false;
-}
 
 /* Without four cocircular sites around an empty circle, two Delaunay
  * triangulations, however they came about, have the same triangles. The lists
@@ -45,7 +24,7 @@ general_position_means_unique(const point2 *points, uint32_t n)
     mesh m[2];
     voronoi d;
     triangle_list list[2];
-    some_diagram(points, n, &m[0], &d);
+    random_diagram(points, n, &m[0], &d);
     bool general = d.vertex_first[d.vertices] == 3 * d.vertices;
     voronoi_free(&d);
     random_triangulation(points, n,

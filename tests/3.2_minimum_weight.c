@@ -25,8 +25,7 @@ diagonal(const mesh *m, const point2 *points)
 static int
 compare_diagonals(const point2 *points)
 {
-    mesh m;
-    random_delaunay(points, 4, &m);
+    mesh m = random_delaunay(points, 4);
     halfedge_id e = diagonal(&m, points);
     int sign = 0;
     if (e != NONE &&
@@ -80,9 +79,8 @@ the_rule_is_the_circle_not_the_length(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n >= 4);
     for (uint32_t i = 0; i + 4 <= n; i++) {
-        mesh m;
         const point2 *p = points + i;
-        random_delaunay(p, 4, &m);
+        mesh m = random_delaunay(p, 4);
         halfedge_id e = diagonal(&m, p);
         if (e != NONE) {
             point2 a = p[mesh_origin(&m, e)], b = p[mesh_dest(&m, e)];

@@ -14,14 +14,6 @@
 typedef tri_status graph_of(const mesh *m, const point2 *points,
                             edge_list *out);
 
-static mesh
-some_delaunay(const point2 *points, uint32_t n)
-{
-    mesh m;
-    random_delaunay(points, n, &m);
-    return m;
-}
-
 static edge_list
 graph(graph_of *make, const mesh *m, const point2 *points)
 {
@@ -95,7 +87,7 @@ graphs_are_as_defined(const point2 *points, uint32_t n)
     uint32_t u;
     CLAIM("graphs.P5", sort_along(points, n, along_x, site, &u) == TRI_OK,
           "no order");
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list gabriel = graph(gabriel_graph, &m, points);
     edge_list rng = graph(relative_neighbourhood_graph, &m, points);
     edge_list nng = graph(nearest_neighbour_graph, &m, points);
@@ -138,7 +130,7 @@ expect_inside(edge_list inner, edge_list outer, const char *which)
 static void
 the_chain_holds(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list tree, delaunay;
     CLAIM("graphs.P6",
           mesh_edges(&m, NULL, &delaunay) == TRI_OK &&
@@ -220,7 +212,7 @@ runs_between(const point2 *points, vertex_id a, vertex_id b, vertex_id v,
 static void
 the_best_site_eliminates_all_on_its_way(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     for (halfedge_id e = 0; e < mesh_halfedges(&m); e++) {
         vertex_id v = mesh_origin(&m, e), w = mesh_dest(&m, e);
         if (v >= w || w == GHOST)
@@ -245,7 +237,7 @@ the_best_site_eliminates_all_on_its_way(const point2 *points, uint32_t n)
 static void
 only_the_longer_edge_is_next(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     for (halfedge_id e = 0; e < mesh_halfedges(&m); e++) {
         if (!mesh_in_triangle(&m, e))
             continue;
@@ -282,7 +274,7 @@ only_the_longer_edge_is_next(const point2 *points, uint32_t n)
 static void
 the_costs_are_as_counted(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list delaunay, rng;
     CLAIM("graphs.P4", mesh_edges(&m, NULL, &delaunay) == TRI_OK,
           "out of memory");
@@ -317,7 +309,7 @@ uniform_densities_are_known(void)
     point2 *points = malloc(N * sizeof *points);
     for (uint32_t i = 0; i < N; i++)
         points[i] = random_point(test_random_source());
-    mesh m = some_delaunay(points, N);
+    mesh m = random_delaunay(points, N);
     edge_list gabriel = graph(gabriel_graph, &m, points);
     edge_list rng = graph(relative_neighbourhood_graph, &m, points);
     double g = (double)gabriel.count / N, r = (double)rng.count / N;
@@ -343,7 +335,7 @@ the_unit_square(void)
           "a corner is not on the circle");
     CLAIM("E24", cross(square, 0, 2, 1, 3), "the diagonals do not cross");
     for (int tries = 0; tries < 20; tries++) {
-        mesh m = some_delaunay(square, 4);
+        mesh m = random_delaunay(square, 4);
         edge_list gabriel = graph(gabriel_graph, &m, square);
         edge_list rng = graph(relative_neighbourhood_graph, &m, square);
         edge_list nng = graph(nearest_neighbour_graph, &m, square);
@@ -364,7 +356,7 @@ static void
 neighbours_do_not_suffice(void)
 {
     const point2 points[] = {{7, 0}, {6, 7}, {5, 0}, {2, 5}, {1, 3}};
-    mesh m = some_delaunay(points, 5);
+    mesh m = random_delaunay(points, 5);
     edge_list delaunay, rng = graph(relative_neighbourhood_graph, &m, points);
     CLAIM("graphs.P4", mesh_edges(&m, NULL, &delaunay) == TRI_OK,
           "out of memory");
@@ -386,7 +378,7 @@ memory_may_run_out(void)
     const point2 points[] = {{0, 0}, {2, 0}, {2, 3}, {0, 2}, {1, 5}, {7, 2}};
     graph_of *const make[] = {gabriel_graph, relative_neighbourhood_graph,
                               nearest_neighbour_graph};
-    mesh m = some_delaunay(points, 6);
+    mesh m = random_delaunay(points, 6);
     for (int which = 0; which < 3; which++) {
         edge_list list;
         tri_status status = TRI_OUT_OF_MEMORY;

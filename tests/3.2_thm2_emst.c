@@ -16,14 +16,6 @@
 
 #include <stdlib.h>
 
-static mesh
-some_delaunay(const point2 *points, uint32_t n)
-{
-    mesh m;
-    random_delaunay(points, n, &m);
-    return m;
-}
-
 static edge_list
 tree_of(const mesh *m, const point2 *points)
 {
@@ -173,7 +165,7 @@ every_tree_lies_in_the_chain(const point2 *points, uint32_t n)
     vertex_id *site = malloc((n + 1) * sizeof *site);
     uint32_t u = distinct_sites(points, n, site);
     edge_list tree = prim(points, site, u, true);
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     for (uint32_t i = 0; i < tree.count; i++) {
         vertex_id v = tree.ends[i][0], w = tree.ends[i][1];
         point2 p = points[v], q = points[w];
@@ -217,7 +209,7 @@ kruskal_is_prim(const point2 *points, uint32_t n)
     vertex_id *site = malloc((n + 1) * sizeof *site);
     uint32_t u = distinct_sites(points, n, site);
     edge_list expected = prim(points, site, u, false);
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list tree = tree_of(&m, points);
     CLAIM("thm2.P5", tree.count == expected.count, "%u edges, %u are needed",
           tree.count, expected.count);
@@ -249,7 +241,7 @@ shuffle(edge_list edges)
 static void
 edges_are_sorted(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list all, edges;
     CLAIM("thm2.P5",
           mesh_edges(&m, NULL, &all) == TRI_OK &&
@@ -326,7 +318,7 @@ accepts_exactly_the_minimum_trees(const point2 *points, uint32_t n)
     HYPOTHESIS(n >= 2);
     vertex_id *site = malloc(n * sizeof *site);
     uint32_t u = distinct_sites(points, n, site);
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     edge_list least = prim(points, site, u, false),
               tree = prim(points, site, u, true);
     claim_verdict("thm2.P6", judge(&m, points, tree));
@@ -358,7 +350,7 @@ accepts_exactly_the_minimum_trees(const point2 *points, uint32_t n)
 static void
 what_is_no_tree_is_refuted(const point2 *points, uint32_t n)
 {
-    mesh m = some_delaunay(points, n);
+    mesh m = random_delaunay(points, n);
     if (m.locations < 3) {
         mesh_free(&m);
         return;
@@ -408,7 +400,7 @@ few_comparisons_are_needed(void)
     for (int grid = 0; grid < 2; grid++) {
         for (uint32_t i = 0; i < N; i++)
             points[i] = grid ? (point2){i % SIDE, i / SIDE} : random_point(r);
-        mesh m = some_delaunay(points, N);
+        mesh m = random_delaunay(points, N);
         edge_list edges;
         CLAIM("thm2.P7", mesh_edges(&m, NULL, &edges) == TRI_OK,
               "out of memory");
@@ -450,7 +442,7 @@ static void
 memory_may_run_out(void)
 {
     const point2 points[] = {{0, 0}, {2, 0}, {2, 3}, {0, 2}, {1, 5}, {7, 2}};
-    mesh m = some_delaunay(points, 6);
+    mesh m = random_delaunay(points, 6);
     edge_list tree, edges;
     verdict v;
     unsigned long k = 0;

@@ -29,8 +29,7 @@ files_hold_the_graphs(const point2 *points, uint32_t n)
     text_write_points(file, points, n, 1);
     fclose(file);
     text_points in = {n, 1, NULL};
-    mesh m;
-    random_delaunay(points, n, &m);
+    mesh m = random_delaunay(points, n);
     for (int which = 0; which < 4; which++) {
         edge_list written, expected;
         text_error error;

@@ -5,25 +5,18 @@
  * angles are among them.
  *
  * Hypotheses: none. For angles the coordinates are whole numbers up to 1000, so
- * that cotangents are compared exactly (see 3.5_thm4_maxmin_angle.c).
+ * that cotangents are compared exactly (see harness/angles.h).
  */
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flip_graph.h"
 #include "lib/mesh_build.h"
+#include "tests/harness/angles.h"
+#include "tests/harness/flip_graphs.h"
 #include "tests/harness/harness.h"
 #include "tests/harness/start.h"
 
 #include <stdlib.h>
-
-static flip_graph
-graph_of(const point2 *points, uint32_t n)
-{
-    flip_graph g;
-    tri_status status = flip_graph_build(points, n, NULL, &g);
-    CLAIM("flipgraph.P2", status == TRI_OK, "%s", tri_status_text(status));
-    return g;
-}
 
 static triangle_list
 triangles_of(const flip_graph *g, const point2 *points, uint32_t node)
@@ -77,28 +70,6 @@ locally_delaunay_means_delaunay(const point2 *points, uint32_t n)
 }
 
 /* ---- Angles. ---- */
-
-typedef struct angle {
-    double dot, cross; /* of the two sides; cross > 0 */
-} angle;
-
-/* The angle at q in the triangle p q r. */
-static angle
-angle_at(point2 q, point2 p, point2 r)
-{
-    double px = p.x - q.x, py = p.y - q.y, rx = r.x - q.x, ry = r.y - q.y;
-    double cross = px * ry - py * rx;
-    return (angle){px * rx + py * ry, cross < 0 ? -cross : cross};
-}
-
-/* -1 when s is the smaller angle, 0, +1. The smaller one has the larger
- * cotangent. */
-static int
-compare_angles(angle s, angle t)
-{
-    double left = t.dot * s.cross, right = s.dot * t.cross;
-    return (left > right) - (left < right);
-}
 
 static int
 compare_for_qsort(const void *s, const void *t)

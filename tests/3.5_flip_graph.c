@@ -8,43 +8,10 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flip_graph.h"
 #include "lib/memory.h"
-#include "lib/mesh_build.h"
+#include "tests/harness/flip_graphs.h"
 #include "tests/harness/harness.h"
 
 #include <stdlib.h>
-
-static flip_graph
-graph_of(const point2 *points, uint32_t n)
-{
-    flip_graph g;
-    tri_status status = flip_graph_build(points, n, NULL, &g);
-    CLAIM("flipgraph.P2", status == TRI_OK, "%s", tri_status_text(status));
-    return g;
-}
-
-/* A node as a mesh; one without edges if it has no triangles. */
-static mesh
-mesh_of(const flip_graph *g, const point2 *points, uint32_t node)
-{
-    mesh m = {0};
-    triangle_list list;
-    CLAIM("flipgraph.P2",
-          flip_graph_triangles(g, points, node, &list) == TRI_OK &&
-              (list.count == 0 ||
-               mesh_from_triangles(g->points, list, &m) == TRI_OK),
-          "out of memory");
-    triangle_list_free(&list);
-    return m;
-}
-
-static uint32_t
-node_of(const flip_graph *g, const mesh *m)
-{
-    uint32_t node;
-    CLAIM("flipgraph.P2", flip_graph_find(g, m, &node) == TRI_OK,
-          "out of memory");
-    return node;
-}
 
 /* ---- P2: all triangulations, counted in another way. ---- */
 
@@ -166,7 +133,7 @@ the_nodes_are_all_triangulations(const point2 *points, uint32_t n)
               "out of memory");
         triangle_list_free(&list);
         claim_verdict("flipgraph.P2", v);
-        mesh m = mesh_of(&g, points, node);
+        mesh m = mesh_of_node(&g, points, node);
         uint32_t found = m.triangles > 0 ? node_of(&g, &m) : node;
         mesh_free(&m);
         CLAIM("flipgraph.P2", found == node, "node %u is found as %u", node,

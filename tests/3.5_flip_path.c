@@ -9,41 +9,9 @@
 #include "chapters/3.5_edge_flips/flip_graph.h"
 #include "lib/memory.h"
 #include "lib/mesh_build.h"
+#include "tests/harness/flip_graphs.h"
 #include "tests/harness/harness.h"
 #include "tests/harness/start.h"
-
-static flip_graph
-graph_of(const point2 *points, uint32_t n)
-{
-    flip_graph g;
-    tri_status status = flip_graph_build(points, n, NULL, &g);
-    CLAIM("flipgraph.P4", status == TRI_OK, "%s", tri_status_text(status));
-    return g;
-}
-
-/* A node as a mesh; one without edges if it has no triangles. */
-static mesh
-mesh_of(const flip_graph *g, const point2 *points, uint32_t node)
-{
-    mesh m = {0};
-    triangle_list list;
-    CLAIM("flipgraph.P4",
-          flip_graph_triangles(g, points, node, &list) == TRI_OK &&
-              (list.count == 0 ||
-               mesh_from_triangles(g->points, list, &m) == TRI_OK),
-          "out of memory");
-    triangle_list_free(&list);
-    return m;
-}
-
-static uint32_t
-node_of(const flip_graph *g, const mesh *m)
-{
-    uint32_t node;
-    CLAIM("flipgraph.P4", flip_graph_find(g, m, &node) == TRI_OK,
-          "out of memory");
-    return node;
-}
 
 /* ---- P3: all ways lead to one. ---- */
 
@@ -71,7 +39,7 @@ all_end_in_one(const point2 *points, uint32_t n)
     flip_graph g = graph_of(points, n);
     uint32_t end = NONE, u = 0;
     for (uint32_t node = 0; node < g.nodes; node++) {
-        mesh m = mesh_of(&g, points, node);
+        mesh m = mesh_of_node(&g, points, node);
         if (m.triangles == 0)
             break;
         u = m.locations;
@@ -151,7 +119,7 @@ e38_two_ends(const point2 *points, uint32_t n)
     CLAIM("E38", g.nodes == 2 && g.is_delaunay[0] && g.is_delaunay[1],
           "%u triangulations", g.nodes);
     for (uint32_t node = 0; node < 2; node++) {
-        mesh m = mesh_of(&g, points, node);
+        mesh m = mesh_of_node(&g, points, node);
         edge_stack L;
         CLAIM("E38", edge_stack_init(&L, &m) == TRI_OK, "out of memory");
         push_all_edges(&L);
@@ -241,7 +209,7 @@ memory_may_run_out(void)
     for (uint32_t i = 0; i < 9; i++)
         points[i] = (point2){i % 3, i / 3};
     flip_graph g = graph_of(points, 9);
-    mesh from = mesh_of(&g, points, 5), to = mesh_of(&g, points, 60);
+    mesh from = mesh_of_node(&g, points, 5), to = mesh_of_node(&g, points, 60);
     edge_list path;
     tri_status status = TRI_OUT_OF_MEMORY;
     unsigned long k;

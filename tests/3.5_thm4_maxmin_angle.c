@@ -2,12 +2,11 @@
  * maximises the minimum angle.
  *
  * Hypotheses: none in the theorem. Here the coordinates are whole numbers up to
- * 1000, so that angles are compared exactly: for angles below a half turn, the
- * larger angle has the smaller cotangent (dot product over cross product), and
- * both products are whole numbers below 2^22.
+ * 1000, so that angles are compared exactly (see harness/angles.h).
  */
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flips.h"
+#include "tests/harness/angles.h"
 #include "tests/harness/harness.h"
 #include "tests/harness/start.h"
 
@@ -15,23 +14,10 @@
 
 /* ---- Angles. ---- */
 
-typedef struct angle {
-    double dot, cross; /* of the two sides; cross > 0 */
-} angle;
-
-/* The angle at q in the triangle p q r. */
-static angle
-angle_at(point2 q, point2 p, point2 r)
-{
-    double px = p.x - q.x, py = p.y - q.y, rx = r.x - q.x, ry = r.y - q.y;
-    double cross = px * ry - py * rx;
-    return (angle){px * rx + py * ry, cross < 0 ? -cross : cross};
-}
-
 static bool
 at_least(angle large, angle small)
 {
-    return large.dot * small.cross <= small.dot * large.cross;
+    return compare_angles(large, small) >= 0;
 }
 
 static angle

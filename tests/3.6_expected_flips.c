@@ -44,18 +44,6 @@ typedef struct counter {
     vertex_id last;
 } counter;
 
-static uint32_t
-degree(const mesh *m, vertex_id v)
-{
-    uint32_t found = 0;
-    halfedge_id first = mesh_leaving(m, v), e = first;
-    do {
-        found++;
-        e = mesh_around(m, e);
-    } while (e != first);
-    return found;
-}
-
 /* After the insertion of point number c->points. */
 static void
 end_insertion(const mesh *m, counter *c)

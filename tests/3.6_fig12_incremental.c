@@ -31,18 +31,6 @@ typedef struct watcher {
     bool thorough; /* is each D_i to be certified? */
 } watcher;
 
-static uint32_t
-degree(const mesh *m, vertex_id v)
-{
-    uint32_t found = 0;
-    halfedge_id first = mesh_leaving(m, v), e = first;
-    do {
-        found++;
-        e = mesh_around(m, e);
-    } while (e != first);
-    return found;
-}
-
 /* The mesh as if there were no more points to come. */
 static mesh
 mesh_so_far(const mesh *m)

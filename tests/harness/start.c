@@ -48,26 +48,58 @@ random_triangulation(const point2 *points, uint32_t n, mesh *out)
 
 /* An edge that has been flipped and is locally Delaunay afterwards was so before, too:
  * its four sites are cocircular. */
-void
-random_delaunay(const point2 *points, uint32_t n, mesh *out)
+mesh
+random_delaunay(const point2 *points, uint32_t n)
 {
+    mesh m;
     random_source *r = test_random_source();
     const algorithm *a = &contents[random_below(r, contents_count)];
     while (!a->delaunay || n > a->most)
         a = &contents[random_below(r, contents_count)];
-    tri_status status = a->triangulate(points, n, NULL, out);
+    tri_status status = a->triangulate(points, n, NULL, &m);
     CLAIM("def8.P5", status == TRI_OK, "%s: %s", a->name, tri_status_text(status));
-    if (out->triangles == 0)
-        return;
+    if (m.triangles == 0)
+        return m;
     for (uint32_t tries = random_below(r, 4 * n); tries > 0; tries--) {
-        halfedge_id e = random_below(r, mesh_halfedges(out));
-        if (!is_flippable(out, points, e))
+        halfedge_id e = random_below(r, mesh_halfedges(&m));
+        if (!is_flippable(&m, points, e))
             continue;
-        flip(out, e);
-        if (!is_locally_delaunay(out, points, e)) /* four flips restore everything */
+        flip(&m, e);
+        if (!is_locally_delaunay(&m, points, e)) /* four flips restore everything */
             for (int back = 0; back < 3; back++)
-                flip(out, e);
+                flip(&m, e);
     }
+    return m;
+}
+
+void
+random_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d)
+{
+    *m = random_delaunay(points, n);
+    CLAIM("sec3.1.P4", voronoi_dual(m, points, d) == TRI_OK, "no diagram");
+}
+
+uint32_t
+degree(const mesh *m, vertex_id v)
+{
+    uint32_t found = 0;
+    halfedge_id first = mesh_leaving(m, v), e = first;
+    do {
+        found++;
+        e = mesh_around(m, e);
+    } while (e != first);
+    return found;
+}
+
+bool
+has_triangle(triangle_list list, const vertex_id *t)
+{
+    for (uint32_t k = 0; k < list.count; k++)
+        for (int i = 0; i < 3; i++)
+            if (list.corner[k][i] == t[0] && list.corner[k][(i + 1) % 3] == t[1] &&
+                list.corner[k][(i + 2) % 3] == t[2])
+                return true;
+    return false;
 }
 
 /* x if it is a whole number 0 .. most; else a random one. */

@@ -1,7 +1,8 @@
-/* start.h - triangulations to begin with, for the tests of flips. */
+/* start.h - triangulations and diagrams to begin with, and what is asked of them. */
 #ifndef TESTS_START_H
 #define TESTS_START_H
 
+#include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "lib/mesh.h"
 #include "tests/harness/harness.h"
 
@@ -17,7 +18,16 @@ void random_triangulation(const point2 *points, uint32_t n, mesh *out);
 
 /* Some Delaunay triangulation of the points: by one of the algorithms, and then with
  * other diagonals wherever cocircular sites leave a choice. */
-void random_delaunay(const point2 *points, uint32_t n, mesh *out);
+mesh random_delaunay(const point2 *points, uint32_t n);
+
+/* Such a triangulation, and the Voronoi diagram that is dual to it. */
+void random_diagram(const point2 *points, uint32_t n, mesh *m, voronoi *d);
+
+/* How many edges leave v. Requires: one at least. */
+uint32_t degree(const mesh *m, vertex_id v);
+
+/* Is the triangle in the list, whichever corner comes first? */
+bool has_triangle(triangle_list list, const vertex_id *t);
 
 /* n points with whole coordinates 0 .. most, small enough to compute with them exactly
  * in a test. Drawn coordinates that are such numbers stay (so a failure shrinks to
