@@ -453,7 +453,8 @@ a_conversation_shows_functions_and_a_bug(void)
     int status = shell("$build/grade --viva anna --base $d/base $d/class/good >$d/anna && "
                        "$build/grade --viva anna --base $d/base $d/class/good >$d/anna2 && "
                        "$build/grade --viva bert --base $d/base $d/class/good >$d/bert && "
-                       "cmp $d/anna $d/anna2 && ! cmp -s $d/anna $d/bert");
+                       "cmp $d/anna $d/anna2 && sed 1d $d/anna >$d/a && sed 1d $d/bert >$d/b "
+                       "&& ! cmp -s $d/a $d/b");
     CLAIM("grade.viva", status == 0, "status %d", status);
     CLAIM("grade.viva", strstr(whole("anna"), "\nhull_edges_seeing(") != NULL &&
           strstr(whole("anna"), "Which statement fails, and why?") != NULL &&
