@@ -14,6 +14,16 @@ static const double ACROSS = 100, UP = 60;
 
 enum { COLUMNS = 3 };
 
+/* How far apart a ratio is drawn from 1. No clock is trusted here: a time that was told
+ * as 0 must not make the picture infinite. */
+static double
+length_of(double ratio, double ten)
+{
+    if (!(ratio > 0) || !isfinite(ratio))
+        return 0;
+    return fmin(fmax(ten * log10(ratio), -9 * ten), 9 * ten);
+}
+
 static svg_style
 style_of(const contender *c)
 {
@@ -67,7 +77,7 @@ cost(const bench *b, int s, int i, int c)
 static point2
 place_cost(const bench *b, int s, int i, int c)
 {
-    return (point2){ACROSS * log10(b->size[s]), UP * log10(cost(b, s, i, c))};
+    return (point2){ACROSS * log10(b->size[s]), length_of(cost(b, s, i, c), UP)};
 }
 
 /* What all panels show: a frame of whole powers of ten around all costs. */
@@ -195,7 +205,7 @@ draw_bars(const bench *b, svg *page, int i, double most)
         svg_text(page, svg_place(page, left), name, SVG_PLAIN);
         if (k->state == CELL_MEASURED) {
             double ratio = k->user.least / b->cell[s][i][0].user.least;
-            double length = ACROSS * fmax(0, log10(ratio));
+            double length = fmax(0, length_of(ratio, ACROSS));
             svg_box bar = {{0, top - 15}, {fmax(length, 1), top - 2}};
             svg_rectangle(page, bar, style_of(&b->contender[c]));
             snprintf(text, sizeof text, "%.2f", ratio);
@@ -223,8 +233,8 @@ draw_ratios(const bench *b)
     for (int i = 0; i < b->inputs; i++)
         for (int c = 1; c < b->contenders; c++)
             if (b->cell[s][i][c].state == CELL_MEASURED)
-                most = fmax(most, ACROSS * log10(b->cell[s][i][c].user.least /
-                                                 b->cell[s][i][0].user.least));
+                most = fmax(most, length_of(b->cell[s][i][c].user.least /
+                                                b->cell[s][i][0].user.least, ACROSS));
     svg_box box = {{-90, -20.0 * (b->contenders - 1) - 5}, {most + 50, 5}};
     output o = begin_file(b, "ratios.svg");
     svg_begin(&page, o.file,

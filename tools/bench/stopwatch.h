@@ -15,7 +15,8 @@
 #include <stddef.h>
 
 typedef struct times {
-    double user;      /* seconds of processor time spent in the program itself */
+    double user;      /* seconds of processor time spent in the program itself; if
+                       * all rounds are shorter than 0.15 s, the same as processor */
     double processor; /* the same and the system's share, page faults mostly */
     double wall;      /* seconds on the wall */
     double bytes;     /* the most memory that was added; negative: not known */
