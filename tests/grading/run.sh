@@ -9,9 +9,10 @@
 #     right/NAME      an unusual solution that is right: it gets full marks
 #     cheats/NAME     an attack: it scores 0, and nothing outside its process has changed
 #
-# and each section with exercises is two cases more:
+# and each section with exercises is three cases more:
 #
 #     untouched/2.3   what was handed out: every property is `todo`
+#     nothing/2.3     functions that return 0 and do nothing: no property holds
 #     reference/2.3   the project's own code: every property holds
 #
 # case.ini says, in lines `key = value`,
@@ -122,6 +123,17 @@ apply_solution() { # apply_solution SOLUTION FILE
     }' "$1" "$2"
 }
 
+# Functions that are to be written return a zero of their type, at once.
+do_nothing() { # do_nothing FILE
+    awk '
+    /^[a-z_][a-z_0-9]*\(/ { type = before; sub(/^static /, "", type) }
+    {
+        before = $0
+        sub(/TODO\("[^"]*"\);/, type == "void" ? "return;" : "return (" type "){0};")
+        print
+    }' "$1"
+}
+
 fill_in() { # fill_in FILE: with the names of this run
     sed "s|@PROJECT@|$project|g; s|@TREASURE@|$treasure|g" "$1"
 }
@@ -213,6 +225,13 @@ judge_all() { # judge_all WORD
     summary="$(sed -n '1s/.*: //p' "$here/out/result.txt"), each property is $1"
 }
 
+judge_nothing() {
+    if word_of '' | grep -qx -e pass -e todo -e uncompiled; then
+        echo "SURVIVED: $(word_of '' | sort -u | paste -s -d , -)"
+    fi
+    summary="no property holds: $(word_of '' | sort -u | paste -s -d , -)"
+}
+
 # Prints what a cheat has achieved.
 judge_cheat() {
     limit=$(key seconds "$case/case.ini")
@@ -271,6 +290,11 @@ try_case() { # try_case KIND/NAME
         return
     elif [ "$kind" = untouched ]; then
         cp -R "$base/chapters" "$submission"
+    elif [ "$kind" = nothing ]; then
+        for file in $(key files "$base/assignment.ini"); do
+            mkdir -p "$submission/${file%/*}"
+            do_nothing "$base/$file" >"$submission/$file"
+        done
     elif ! make_submission 2>"$here/complaint"; then
         echo "not ok - $1: it cannot be made: $(cat "$here/complaint")"
         return
@@ -285,6 +309,7 @@ try_case() { # try_case KIND/NAME
     wrong) judge_wrong ;;
     right | reference) judge_all pass ;;
     untouched) judge_all todo ;;
+    nothing) judge_nothing ;;
     cheats) judge_cheat ;;
     esac >"$here/verdict"
     judge_grader "$status" >>"$here/verdict"
@@ -324,7 +349,8 @@ echo 'the cases of verify-grading' >"$work/seed"
 if [ $# -eq 0 ]; then
     for ini in chapters/*/exercises.ini; do
         section=${ini#chapters/}
-        set -- "$@" "untouched/${section%%_*}" "reference/${section%%_*}"
+        section=${section%%_*}
+        set -- "$@" "untouched/$section" "nothing/$section" "reference/$section"
     done
     for ini in tests/grading/*/*/case.ini; do
         case=${ini#tests/grading/}
