@@ -10,6 +10,7 @@
 #include "chapters/3.6_randomized_incremental/incremental.h"
 #include "lib/memory.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/start.h"
 
 #include <stdlib.h>
 
@@ -29,7 +30,8 @@ rings_between(const bucket_grid *g, uint32_t a, uint32_t b)
 static uint32_t
 check_near(const bucket_grid *g, point2 p)
 {
-    uint32_t cells = g->side * g->side, here = bucket_grid_cell(g, p), nearest = g->side;
+    uint32_t cells = g->side * g->side, here = bucket_grid_cell(g, p),
+             nearest = g->side;
     vertex_id v = bucket_grid_near(g, p);
     bool has_come = false;
     CLAIM("grid.P1", here < cells, "cell %u of %u", here, cells);
@@ -54,7 +56,8 @@ the_grid_grows_with_the_vertices(const point2 *points, uint32_t n)
     bucket_grid g;
     uint32_t u, again = 0, side = 1;
     vertex_id *L = malloc(n * sizeof *L);
-    CLAIM("grid.P1", sort_along(points, n, (point2){1, 0}, L, &u) == TRI_OK, "no memory");
+    CLAIM("grid.P1", sort_along(points, n, (point2){1, 0}, L, &u) == TRI_OK,
+          "no memory");
     shuffle(L, u, test_random_source());
     CLAIM("grid.P1", bucket_grid_init(&g, points, L, u) == TRI_OK, "no memory");
     for (uint32_t i = 0; i < u; i++) {
@@ -71,6 +74,40 @@ the_grid_grows_with_the_vertices(const point2 *points, uint32_t n)
     }
     bucket_grid_free(&g);
     free(L);
+}
+
+/* P1: points scaled by a power of two are in the same cells, also if their differences
+ * are no finite numbers then. */
+static void
+scaled_points_have_the_same_cells(const point2 *drawn, uint32_t n)
+{
+    (void)drawn;
+    HYPOTHESIS(n > 0);
+    point2 *points = whole_points(NULL, n, 1000);
+    point2 *huge = malloc(n * sizeof *huge);
+    vertex_id *L = malloc(n * sizeof *L);
+    for (uint32_t i = 0; i < n; i++) {
+        L[i] = i;
+        points[i].x -= 500;
+        points[i].y -= 500;
+        huge[i] = (point2){points[i].x * 0x1p1015, points[i].y * 0x1p1015};
+    }
+    bucket_grid g, h;
+    CLAIM("grid.P1", bucket_grid_init(&g, points, L, n) == TRI_OK &&
+          bucket_grid_init(&h, huge, L, n) == TRI_OK, "no memory");
+    uint32_t differ = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        bucket_grid_add(&g);
+        bucket_grid_add(&h);
+    }
+    for (uint32_t i = 0; i < n; i++)
+        differ += bucket_grid_cell(&g, points[i]) != bucket_grid_cell(&h, huge[i]);
+    bucket_grid_free(&g);
+    bucket_grid_free(&h);
+    free(L);
+    free(huge);
+    free(points);
+    CLAIM("grid.P1", differ == 0, "%u of %u points are in other cells", differ, n);
 }
 
 /* ---- With Figure 12. ---- */
@@ -100,7 +137,8 @@ it_is_figure_12(const point2 *points, uint32_t n)
     mesh m;
     triangle_list list;
     verdict v;
-    CLAIM("grid.P3", bucketed_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
+    CLAIM("grid.P3", bucketed_triangulate(points, n, &options, &m) == TRI_OK,
+          "no mesh");
     claim_verdict("grid.P3", mesh_check(&m));
     CLAIM("grid.P3", mesh_triangles(&m, &list) == TRI_OK, "no list");
     test_picture(list);
@@ -244,6 +282,7 @@ main(int argc, char **argv)
     test_begin(argc, argv, "Section 3.6: a grid of buckets");
     test_random("the grid", the_grid_grows_with_the_vertices, 1000, 150);
     test_near_degenerate("the grid", the_grid_grows_with_the_vertices, 1000, 60);
+    test_random("scaled points", scaled_points_have_the_same_cells, 500, 100);
     test_random("Figure 12", it_is_figure_12, 1000, 120);
     test_near_degenerate("Figure 12", it_is_figure_12, 2000, 40);
     test_grid_subsets("Figure 12", it_is_figure_12, 4);

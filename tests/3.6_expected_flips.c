@@ -16,7 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST = 7 };
+enum { MOST = 7, MOST_ORDERS = 5040 };
 
 static bool
 is_in_general_position(const point2 *p, uint32_t n)
@@ -129,13 +129,22 @@ run_all_orders(const point2 *points, uint32_t n)
     all_orders all = {0};
     counter c = {.flips_at = all.flips_at, .degree_at = all.degree_at};
     vertex_id L[MOST];
+    rational *F = malloc(MOST_ORDERS * sizeof *F); /* order -> its flips */
+    rational *chance = malloc(MOST_ORDERS * sizeof *chance);
     for (uint32_t i = 0; i < n; i++)
         L[i] = i;
     do {
-        all.orders++;
-        all.flips += count_flips(points, n, L, 0, &c);
+        uint64_t flips = count_flips(points, n, L, 0, &c);
+        F[all.orders++] = rational_of((int64_t)flips, 1);
+        all.flips += flips;
     } while (next_order(L, n));
-    all.mean = rational_of((int64_t)all.flips, all.orders);
+    for (int64_t i = 0; i < all.orders; i++)
+        chance[i] = rational_of(1, all.orders);
+    probability_space orders = {(uint32_t)all.orders, chance};
+    claim_verdict("expected.P1", is_probability_space(orders));
+    all.mean = expected_value(orders, F);
+    free(chance);
+    free(F);
     return all;
 }
 

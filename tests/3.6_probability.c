@@ -74,6 +74,10 @@ what_does_not_fit_is_no_number(void)
           rational_equal(rational_product(x, rational_of(2, large)),
                          rational_of(1, 1)),
           "a product that fits after cancelling");
+    rational tiny = rational_of(1, INT64_C(1) << 62);
+    CLAIM("chance.P1",
+          rational_equal(rational_sum(tiny, tiny), rational_of(1, INT64_C(1) << 61)),
+          "a sum that fits over the least common denominator");
     CLAIM("chance.P1",
           rational_of(INT64_MIN, 1).den == 0 && rational_of(1, INT64_MIN).den == 0,
           "a number without an opposite");
@@ -136,6 +140,10 @@ the_laws_of_events(void)
               "a sum of 8/7 was accepted");
         p[w] = rational_of(-1, 7);
         CLAIM("chance.P2", !is_probability_space(S).holds, "-1/7 was accepted");
+        const rational half_too_much[] = {rational_of(3, 2), rational_of(-1, 2)};
+        CLAIM("chance.P2",
+              !is_probability_space((probability_space){2, half_too_much}).holds,
+              "-1/2 was accepted, as the sum is 1");
         p[w] = rational_of(1, 0);
         CLAIM("chance.P2", !is_probability_space(S).holds, "1/0 was accepted");
     }

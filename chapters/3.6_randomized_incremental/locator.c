@@ -4,6 +4,8 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "lib/trace.h"
 
+#include <assert.h>
+
 /* The two ends of the first edge have come already. */
 static tri_status
 grid_begin(bucket_grid *g, const point2 *points, const vertex_id *order, uint32_t count)
@@ -87,6 +89,7 @@ find(locator *T, vertex_id p)
 place
 locate(locator *T, vertex_id p)
 {
+    assert(T->status == TRI_OK);
     place at = find(T, p);
     T->last = p;
     trace_report(T->m, (trace_event){TRACE_LOCATE, at.e, p, NONE, NONE, NONE});
