@@ -215,7 +215,9 @@ compare: $(BUILD)/compare/counts $(BUILD)/compare/times ## section 3.7's compari
 mutants: ## plant bugs one by one; each must be caught by a named statement
 	tests/mutants/run.sh
 
-verify-grading: $(BUILD)/grade ## wrong, right and hostile submissions: the grader says so (3 minutes)
+verify-grading: $(BUILD)/grade $(BUILD)/handout ## wrong, right and hostile submissions: the grader says so (6 minutes)
+	tests/grading/handouts.sh $(BUILD)
+	tests/grading/variants.sh $(BUILD)
 	tests/grading/run.sh $(BUILD)
 
 asan: ## all tests with the address and undefined-behaviour sanitizers

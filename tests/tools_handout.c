@@ -230,12 +230,14 @@ file_is(const char *path, const char *bytes)
     return same;
 }
 
-/* Runs a command; its exit status. What it says is in `said`. */
+/* Runs a command, as if there were no make around this test; its exit status. What it
+ * says is in `said`. */
 static int
 run(const char *command)
 {
     static char line[13000];
-    snprintf(line, sizeof line, "{ %.12900s\n} 2>&1", command);
+    snprintf(line, sizeof line, "unset MAKEFLAGS MFLAGS MAKELEVEL BUILD CFLAGS\n"
+             "{ %.12900s\n} 2>&1", command);
     FILE *pipe = popen(line, "r");
     must(pipe != NULL, line);
     said[fread(said, 1, sizeof said - 1, pipe)] = '\0';

@@ -5,6 +5,7 @@
 # the reference itself does not solve it has been seen when the handout was made, unless
 # there is no time: QUICK=1. Prints a line for each, and fails if one is not right.
 set -u
+unset MAKEFLAGS MFLAGS MAKELEVEL BUILD CFLAGS
 build=${1:?usage: tests/grading/variants.sh BUILD, in the root of the project}
 tree=$build/variants.tree
 status=0

@@ -134,6 +134,16 @@ file_bytes(const char *path, size_t *size)
     return bytes;
 }
 
+/* What a make around us has put into the environment is meant for its own tree. */
+static void
+forget_surrounding_make(void)
+{
+    static const char *const names[] = {"MAKEFLAGS", "MFLAGS", "MAKELEVEL", "BUILD",
+                                        "CFLAGS", "CC"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        unsetenv(names[k]);
+}
+
 int
 run_program(const char *folder, const char *output, const char *const command[])
 {
@@ -145,6 +155,7 @@ run_program(const char *folder, const char *output, const char *const command[])
         int out = open(output, O_WRONLY | O_CREAT | O_TRUNC, 0666);
         if (out < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0 || chdir(folder) != 0)
             _exit(127);
+        forget_surrounding_make();
         execvp(command[0], (char *const *)command);
         _exit(127);
     }

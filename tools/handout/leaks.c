@@ -133,41 +133,67 @@ without_overlap(const tree_file *f, const char *functions)
 
 /* ---- The proof. ---- */
 
+/* What the files of the tree say, to the eyes of an exercise that shares lines with these
+ * functions. */
+typedef struct open_lines {
+    const char *shared;
+    lines *of; /* file -> its lines */
+} open_lines;
+
 static void
-prove_part(const handout *h, const exercise *e, const char *part, size_t length)
+read_open_lines(const handout *h, const char *shared, open_lines *open)
+{
+    if (open->of != NULL && strcmp(open->shared, shared) == 0)
+        return;
+    *open = (open_lines){shared, take((h->tree.files + 1) * sizeof *open->of)};
+    for (size_t i = 0; i < h->tree.files; i++) {
+        const char *text = without_overlap(&h->tree.file[i], shared);
+        open->of[i] = substantial_lines(text, strlen(text));
+    }
+}
+
+static void
+prove_part(const handout *h, const exercise *e, const open_lines *open, const char *part,
+           size_t length)
 {
     lines secret = substantial_lines(part, length);
-    const char *shared = overlapping(h, e);
     for (size_t i = 0; i < h->tree.files; i++) {
-        const tree_file *f = &h->tree.file[i];
-        const char *text = without_overlap(f, shared);
-        lines open = substantial_lines(text, strlen(text));
+        const lines *o = &open->of[i];
         size_t at;
-        if (three_in_common(&secret, &open, &at))
+        if (three_in_common(&secret, o, &at))
             refuse("%s: three lines in a row of a solution of %s stand in the handout, in "
-                   "%s, after line %zu:\n  %s\n  %s\n  %s", h->name, e->id, f->path,
-                   open.number[at] - 1, open.line[at], open.line[at + 1],
-                   open.line[at + 2]);
+                   "%s, after line %zu:\n  %s\n  %s\n  %s", h->name, e->id,
+                   h->tree.file[i].path, o->number[at] - 1, o->line[at], o->line[at + 1],
+                   o->line[at + 2]);
+    }
+}
+
+/* The functions of the exercise, and its helpers. */
+static void
+prove_exercise(const handout *h, const exercise *e, const open_lines *open)
+{
+    source s;
+    const char *text = file_bytes(format("%s/%s", h->project.root, e->path), NULL);
+    if (text == NULL || !scan(text, &s))
+        refuse("%s: brackets do not match", e->path);
+    for (size_t k = 0; k < s.items; k++) {
+        const item *part = &s.item[k];
+        const char *name = text + part->name;
+        if (part->kind == ITEM_FUNCTION && (has_word(e->functions, name, part->length) ||
+                                            has_word(e->helpers, name, part->length)))
+            prove_part(h, e, open, text + part->body, part->end - part->body);
     }
 }
 
 void
 handout_prove_nothing_leaks(const handout *h)
 {
+    open_lines open = {NULL, NULL};
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
-        if (e->role != ROLE_ASKED && e->role != ROLE_LATER)
-            continue;
-        source s;
-        const char *text = file_bytes(format("%s/%s", h->project.root, e->path), NULL);
-        if (text == NULL || !scan(text, &s))
-            refuse("%s: brackets do not match", e->path);
-        for (size_t k = 0; k < s.items; k++) {
-            const item *part = &s.item[k];
-            const char *name = text + part->name;
-            if (part->kind == ITEM_FUNCTION && (has_word(e->functions, name, part->length) ||
-                                                has_word(e->helpers, name, part->length)))
-                prove_part(h, e, text + part->body, part->end - part->body);
+        if (e->role == ROLE_ASKED || e->role == ROLE_LATER) {
+            read_open_lines(h, overlapping(h, e), &open);
+            prove_exercise(h, e, &open);
         }
     }
 }

@@ -63,10 +63,10 @@ write_line(FILE *out, const handout *h, const char *page, const char *line)
     const char *bracket;
     while ((bracket = strchr(line, '[')) != NULL) {
         size_t text = strcspn(bracket, "]");
-        const char *target = bracket + text + 2;
+        const char *target = strncmp(bracket + text, "](", 2) == 0 ? bracket + text + 2 : "";
         size_t length = strcspn(target, ")");
         bool picture = bracket > line && bracket[-1] == '!';
-        if (bracket[text] == '\0' || bracket[text + 1] != '(' || target[length] == '\0') {
+        if (target[length] == '\0') { /* no link */
             fprintf(out, "%.*s", (int)(bracket + 1 - line), line);
             line = bracket + 1;
             continue;
