@@ -11,10 +11,13 @@
 #include "chapters/3.7_divide_and_conquer/divide.h"
 #include "chapters/3.7_divide_and_conquer/fast_divide.h"
 #include "chapters/3.7_divide_and_conquer/fast_order.h"
+#include "chapters/3.7_divide_and_conquer/fast_questions.h"
 #include "lib/memory.h"
 #include "tests/harness/harness.h"
 #include "tests/harness/start.h"
+#include "tests/oracle/oracle.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,6 +87,190 @@ with_low_limits_too(const point2 *points, uint32_t n)
     compare_with_divide(points, n, some_limits(n));
 }
 
+/* The same bytes from one thread and from several; the numbers of the vertices, too. */
+static void
+threads_change_nothing(const point2 *points, uint32_t n)
+{
+    fast_limits limits = some_limits(n);
+    limits.job = 1 + random_below(test_random_source(), 1 + n / 8);
+    const uint32_t threads[] = {1, 2, 3, 8};
+    mesh first;
+    for (int i = 0; i < 4; i++) {
+        mesh m;
+        limits.threads = threads[i];
+        CLAIM("fast.P6", fast_divide_with(points, n, limits, &m) == TRI_OK, "no mesh");
+        if (i == 0) {
+            first = m;
+            continue;
+        }
+        CLAIM("fast.P6", m.triangles == first.triangles && m.locations == first.locations &&
+              m.ghost_leaving == first.ghost_leaving &&
+              (n == 0 || memcmp(m.leaving, first.leaving, n * sizeof *m.leaving) == 0) &&
+              (m.triangles == 0 || memcmp(m.halfedge, first.halfedge, 3 * m.triangles *
+                                          sizeof *m.halfedge) == 0),
+              "%u threads make another mesh", threads[i]);
+        mesh_free(&m);
+    }
+    mesh_free(&first);
+}
+
+/* ---- The questions. ---- */
+
+/* The points as sites of a run that has the bounds for them. The caller frees the sites. */
+static fast_run
+run_of(const point2 *points, uint32_t n, double unit)
+{
+    fast_run run = {.site = malloc((n + 1) * sizeof *run.site)};
+    CLAIM("fast.P2", run.site != NULL, "no memory");
+    for (uint32_t i = 0; i < n; i++)
+        run.site[i] = (fast_site){points[i].x, points[i].y, i, NONE};
+    fast_box b = fast_box_around(run.site, n);
+    fast_bounds(&run, b.high[0] - b.low[0], b.high[1] - b.low[1], unit);
+    return run;
+}
+
+/* Asks everything about four of the sites; `claim` is what says that it is right. */
+#define EXPECT_RIGHT_ANSWERS(claim, run, l, r, p, q) do { \
+        point2 at[4] = {fast_at(&run, l), fast_at(&run, r), fast_at(&run, p), \
+                        fast_at(&run, q)}; \
+        int side = oracle_orient2d(at[0], at[1], at[2]); \
+        fast_seen rs = fast_see(at[0], (fast_seen){0}, at[1]); \
+        fast_seen ps = fast_see(at[0], rs, at[2]), qs = fast_see(at[0], rs, at[3]); \
+        CLAIM(claim, fast_turn(&run, l, r, p) == side, "not %d", side); \
+        CLAIM(claim, fast_is_above(&run, l, r, p, ps) == (side > 0), "not %d", side); \
+        if (side > 0) { \
+            int circle = oracle_incircle(at[0], at[1], at[2], at[3]); \
+            CLAIM(claim, fast_is_inside(&run, l, r, p, q, rs, ps, qs) == (circle > 0), \
+                  "not %d", circle); \
+        } \
+    } while (0)
+
+static void
+answers_are_right(const point2 *points, uint32_t n)
+{
+    HYPOTHESIS(n >= 4);
+    fast_run run = run_of(points, n, 0);
+    random_source *s = test_random_source();
+    for (int i = 0; i < 20; i++) {
+        uint32_t l = random_below(s, n), r = random_below(s, n), p = random_below(s, n);
+        uint32_t q = random_below(s, n);
+        EXPECT_RIGHT_ANSWERS("fast.P2", run, l, r, p, q);
+    }
+    free(run.site);
+}
+
+/* Whole multiples of a power of two, few or many of them. */
+static void
+whole_multiples_are_right(const point2 *points, uint32_t n)
+{
+    HYPOTHESIS(n >= 4);
+    random_source *s = test_random_source();
+    uint32_t most = 2u << random_below(s, 22);
+    double unit = ldexp(1, (int)random_below(s, 40) - 20);
+    point2 *whole = whole_points(points, n, most);
+    for (uint32_t i = 0; i < n; i++)
+        whole[i] = (point2){whole[i].x * unit, whole[i].y * unit};
+    fast_run run = run_of(whole, n, unit);
+    predicate_counts before = predicate_count;
+    for (int i = 0; i < 20; i++) {
+        uint32_t l = random_below(s, n), r = random_below(s, n), p = random_below(s, n);
+        uint32_t q = random_below(s, n);
+        EXPECT_RIGHT_ANSWERS("fast.P3", run, l, r, p, q);
+    }
+    uint64_t closer = predicate_count.signs + predicate_count.expansions -
+                      before.signs - before.expansions;
+    CLAIM("fast.P3", most > 2048 || closer == 0, "%u multiples of %g needed exact.c",
+          most, unit);
+    free(run.site);
+    free(whole);
+}
+
+/* ---- The cells. ---- */
+
+static void
+halves_are_apart(const point2 *points, uint32_t n)
+{
+    HYPOTHESIS(n >= 2);
+    fast_run run = run_of(points, n, 0);
+    fast_site *to = malloc(n * sizeof *to);
+    fast_cells cells;
+    random_source *s = test_random_source();
+    fast_box all = fast_box_around(run.site, n), box = all;
+    if (random_below(s, 2) == 0) { /* any box will do */
+        const fast_site *p = &run.site[random_below(s, n)], *q = &run.site[0];
+        box = (fast_box){{fmin(p->x, q->x), fmin(p->y, q->y)},
+                         {fmax(p->x, q->x), fmax(p->y, q->y)}};
+    }
+    int bits = 1 + (int)random_below(s, FAST_GRID_BITS);
+    uint32_t threads = random_below(s, 16) == 0 ? 3 : 1;
+    double longer = fmax(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    bool sorted = fast_grid_sort(&cells, box, bits, run.site, to, n, threads);
+    CLAIM("fast.P4", sorted || !(longer > 1e-200 && longer < 1e200), "no grid");
+    uint32_t seen = 0;
+    for (uint32_t c = 0; c < 1u << bits && sorted; c++)
+        for (; seen < cells.end[c]; seen++)
+            to[seen].edge = c;
+    CLAIM("fast.P4", !sorted || seen == n, "%u of %u sites are in cells", seen, n);
+    for (uint32_t i = 0; i + 1 < n && sorted; i++)
+        for (uint32_t j = i + 1; j < n; j++) {
+            uint32_t differs = to[i].edge ^ to[j].edge;
+            int bit = 0;
+            while (differs >> bit > 1)
+                bit++;
+            CLAIM("fast.P4", differs == 0 || (cells.axis[bit] == 0 ? to[i].x < to[j].x
+                                                                 : to[i].y < to[j].y),
+                  "sites %u and %u are in the wrong halves", to[i].id, to[j].id);
+        }
+    free(to);
+    free(run.site);
+}
+
+/* ---- The cost. ---- */
+
+static void
+uniform_points_cost_little(void)
+{
+    enum { N = 20000 };
+    point2 *points = malloc(N * sizeof *points);
+    for (uint32_t i = 0; i < N; i++)
+        points[i] = random_point(test_random_source());
+    predicate_counts before = predicate_count;
+    mesh m;
+    CLAIM("fast.P7", fast_divide_triangulate(points, N, NULL, &m) == TRI_OK, "no mesh");
+    double orient = (double)(predicate_count.orient2d - before.orient2d) / N;
+    double circle = (double)(predicate_count.incircle - before.incircle) / N;
+    uint64_t closer = predicate_count.signs + predicate_count.expansions - before.signs -
+                      before.expansions;
+    CLAIM("fast.P7", orient < 9.5 && circle < 8.2 && closer < N / 100,
+          "%g orientation and %g incircle tests a point, %u of them for exact.c", orient,
+          circle, (unsigned)closer);
+    mesh_free(&m);
+    free(points);
+}
+
+/* Coordinates that are whole multiples of anything, all of them huge, tiny or equal. */
+static void
+scales_change_nothing(const point2 *points, uint32_t n)
+{
+    point2 *whole = whole_points(points, n, 50), *scaled = malloc((n + 1) * sizeof *scaled);
+    int k = (int)random_below(test_random_source(), 2090) - 1074;
+    for (uint32_t i = 0; i < n; i++)
+        scaled[i] = (point2){ldexp(whole[i].x, k), ldexp(whole[i].y, k)};
+    mesh m, z;
+    predicate_counts before = predicate_count;
+    CLAIM("fast.P5", fast_divide_triangulate(whole, n, NULL, &m) == TRI_OK &&
+          fast_divide_triangulate(scaled, n, NULL, &z) == TRI_OK, "no mesh");
+    CLAIM("fast.P5", predicate_count.wide == before.wide &&
+          predicate_count.expansions == before.expansions, "scaled by 2^%d: not cheap", k);
+    CLAIM("fast.P5", m.triangles == z.triangles && (m.triangles == 0 ||
+          memcmp(m.halfedge, z.halfedge, 3 * m.triangles * sizeof *m.halfedge) == 0),
+          "scaled by 2^%d: another mesh", k);
+    mesh_free(&m);
+    mesh_free(&z);
+    free(scaled);
+    free(whole);
+}
+
 /* ---- Watched, and out of memory. ---- */
 
 static int
@@ -133,6 +320,15 @@ main(int argc, char **argv)
     test_random("low limits", with_low_limits_too, 3000, 200);
     test_near_degenerate("low limits", with_low_limits_too, 3000, 60);
     test_grid_subsets("low limits", with_low_limits_too, 4);
+    test_random("threads", threads_change_nothing, 300, 300);
+    test_near_degenerate("threads", threads_change_nothing, 200, 60);
+    test_random("answers", answers_are_right, 3000, 30);
+    test_near_degenerate("answers", answers_are_right, 5000, 30);
+    test_random("whole multiples", whole_multiples_are_right, 3000, 30);
+    test_random("cells", halves_are_apart, 1000, 60);
+    test_near_degenerate("cells", halves_are_apart, 1000, 40);
+    test_random("scales", scales_change_nothing, 500, 60);
+    test_run("the cost", uniform_points_cost_little);
     test_run("watched, out of memory, refused", it_can_be_watched_and_refused);
     return test_end((test_minima){.trials = 70000, .largest_n = 150, .zeros = 10000,
                                   .expansions = 1000, .wide = 1000});

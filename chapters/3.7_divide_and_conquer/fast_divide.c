@@ -4,6 +4,7 @@
 #include "chapters/3.7_divide_and_conquer/divide.h"
 #include "chapters/3.7_divide_and_conquer/fast_export.h"
 #include "chapters/3.7_divide_and_conquer/fast_order.h"
+#include "chapters/3.7_divide_and_conquer/fast_questions.h"
 #include "chapters/3.7_divide_and_conquer/fast_share.h"
 #include "lib/memory.h"
 
@@ -60,13 +61,9 @@ find_unit(fast_work *self, uint32_t piece)
 /* A unit is of use if so few of them make up all coordinates that differences are exact,
  * and if none of its powers is too large or too small. */
 static double
-unit_of_all(loading *load, fast_box box, uint32_t threads)
+unit_of_all(loading *load, int exponent, uint32_t threads)
 {
-    double largest = fmax(fmax(fabs(box.low[0]), fabs(box.low[1])),
-                          fmax(fabs(box.high[0]), fabs(box.high[1])));
-    int exponent;
-    frexp(largest, &exponent);
-    if (largest == 0 || exponent < -150 || exponent > 200)
+    if (exponent < -150 || exponent > 200)
         return 0;
     load->work.task = find_unit;
     load->unit = ldexp(1, exponent);
@@ -78,7 +75,30 @@ unit_of_all(loading *load, fast_box box, uint32_t threads)
     return unit;
 }
 
-/* Fills in the sites and the bounds; returns the box around all. */
+/* Multiplies all coordinates by 2^k: no answer changes, if no bit is lost. If one would
+ * be, nothing is changed and false is returned. */
+static bool
+scale_sites(fast_site *site, uint32_t n, int k)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (ldexp(ldexp(site[i].x, k), -k) != site[i].x ||
+            ldexp(ldexp(site[i].y, k), -k) != site[i].y)
+            return false;
+    for (uint32_t i = 0; i < n; i++) {
+        site[i].x = ldexp(site[i].x, k);
+        site[i].y = ldexp(site[i].y, k);
+    }
+    return true;
+}
+
+static double
+largest_in(fast_box b)
+{
+    return fmax(fmax(fabs(b.low[0]), fabs(b.low[1])), fmax(fabs(b.high[0]), fabs(b.high[1])));
+}
+
+/* Fills in the sites and the bounds; returns the box around all. Sites whose products
+ * would over- or underflow are brought to where they do not. */
 static fast_box
 load_all(fast_run *run, double *unit, const point2 *points, uint32_t n, uint32_t threads)
 {
@@ -88,7 +108,13 @@ load_all(fast_run *run, double *unit, const point2 *points, uint32_t n, uint32_t
     fast_box box = load.box[0];
     for (uint32_t i = 1; i < load.pieces; i++)
         box = fast_box_join(box, load.box[i]);
-    *unit = unit_of_all(&load, box, threads);
+    int exponent;
+    frexp(largest_in(box), &exponent);
+    if ((exponent < -100 || exponent > 100) && scale_sites(run->site, n, -exponent)) {
+        box = fast_box_around(run->site, n);
+        exponent = 0;
+    }
+    *unit = unit_of_all(&load, exponent, threads);
     fast_bounds(run, box.high[0] - box.low[0], box.high[1] - box.low[1], *unit);
     return box;
 }

@@ -5,13 +5,7 @@
  * their numbers; and all questions about the rising edge lr are asked as seen from l,
  * so that they share their arithmetic.
  */
-#include "chapters/3.7_divide_and_conquer/fast_parts.h"
-
-#include "chapters/3.4_primitives/predicates.h"
-
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
+#include "chapters/3.7_divide_and_conquer/fast_questions.h"
 
 /* ---- Edges: taken from the pool, linked, unlinked. ---- */
 
@@ -29,6 +23,7 @@ new_edge(const fast_run *run, fast_pool *pool, uint32_t p, uint32_t q)
     if (e != NONE) {
         pool->first = run->edge[e].ccw;
     } else {
+        assert(pool->fresh < pool->end);
         e = pool->fresh;
         pool->fresh += 2;
     }
@@ -109,109 +104,6 @@ delete_edge(const fast_run *run, fast_pool *pool, halfedge_id e)
     release(run, pool, e);
 }
 
-/* ---- Questions. ---- */
-
-/* Each is tried in rounded arithmetic. The answer stands when the determinant exceeds
- * what roundings can have changed for any sites in the box (P2), or when all numbers
- * are whole multiples of a unit and so few that none of them was rounded (P3). */
-
-void
-fast_bounds(fast_run *run, double width, double height, double unit)
-{
-    double most = 0x1.01p0 * (width * width + height * height); /* squared length */
-    run->sure_turn = 0x1p-51 * most + DBL_MIN;
-    run->sure_circle = 0x1.1p-48 * most * most + 0x1p-998 * (1 + most);
-    run->whole_turn = 0x1p53 * unit * unit;
-    run->whole_circle = 0x1p27 * unit * unit;
-}
-
-static point2
-at(const fast_run *run, uint32_t site)
-{
-    return (point2){run->site[site].x, run->site[site].y};
-}
-
-/* Another site as seen from the left end l of the rising edge: the vector to it, its
- * squared length, and the cross product with the vector to the right end r. */
-typedef struct seen {
-    double x, y, lift, turn;
-} seen;
-
-static inline seen
-see(point2 l, seen r, point2 p)
-{
-    double x = p.x - l.x, y = p.y - l.y;
-    return (seen){x, y, x * x + y * y, r.x * y - r.y * x};
-}
-
-/* The sign of orient2d when the rounded determinant is too small to be sure. */
-static int
-near_turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r, double det)
-{
-    point2 a = at(run, p), b = at(run, q), c = at(run, r);
-    double x = fmax(fabs(a.x - c.x), fabs(b.x - c.x));
-    double y = fmax(fabs(a.y - c.y), fabs(b.y - c.y));
-    if (2 * x * y < run->whole_turn)
-        return (det > 0) - (det < 0);
-    return cross_sign(a, c, b, c);
-}
-
-/* Is p strictly left of the line from l to r? */
-static inline bool
-is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, seen ps)
-{
-    PREDICATE_COUNT(orient2d);
-    if (ps.turn > run->sure_turn)
-        return true;
-    if (ps.turn < -run->sure_turn)
-        return false;
-    return near_turn(run, l, r, p, ps.turn) > 0;
-}
-
-/* The sign of orient2d. */
-static inline int
-turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r)
-{
-    point2 a = at(run, p), b = at(run, q), c = at(run, r);
-    double det = (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
-    PREDICATE_COUNT(orient2d);
-    if (det > run->sure_turn)
-        return +1;
-    if (det < -run->sure_turn)
-        return -1;
-    return near_turn(run, p, q, r, det);
-}
-
-/* Does q lie strictly inside the circle of l, r and p, when it is hard to say? */
-static bool
-near_circle(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q,
-            double det, double lifts)
-{
-    if (lifts < run->whole_circle) {
-        PREDICATE_COUNT(incircle);
-        return det > 0;
-    }
-    return incircle(at(run, l), at(run, r), at(run, p), at(run, q)) > 0;
-}
-
-/* Does q lie strictly inside the circle of l, r and p? Requires: p is above lr. */
-static inline bool
-is_inside(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q, seen rs,
-          seen ps, seen qs)
-{
-    double det = ps.lift * qs.turn - qs.lift * ps.turn -
-                 rs.lift * (ps.x * qs.y - ps.y * qs.x);
-    if (det > run->sure_circle) {
-        PREDICATE_COUNT(incircle);
-        return true;
-    }
-    if (det < -run->sure_circle) {
-        PREDICATE_COUNT(incircle);
-        return false;
-    }
-    return near_circle(run, l, r, p, q, det, rs.lift + ps.lift + qs.lift);
-}
-
 /* ---- Two and three sites. ---- */
 
 /* An edge between two sites that have none yet. */
@@ -236,7 +128,7 @@ fast_few(const fast_run *run, fast_pool *pool, uint32_t lo, uint32_t count)
     halfedge_id ab = lone_edge(run, pool, a, b);
     if (count == 2)
         return;
-    int side = turn(run, a, b, c);
+    int side = fast_turn(run, a, b, c);
     halfedge_id bc = new_edge(run, pool, b, c);
     link_after(run, ab ^ 1, bc);
     link_alone(run, bc ^ 1);
@@ -271,7 +163,7 @@ lower_tangent(const fast_run *run, uint32_t l, uint32_t r)
         if (left != NONE) {
             halfedge_id before = run->cw[left] ^ 1;
             uint32_t p = edge[before].origin;
-            if (turn(run, p, l, r) < 0) {
+            if (fast_turn(run, p, l, r) < 0) {
                 left = before;
                 l = p;
                 continue;
@@ -279,7 +171,7 @@ lower_tangent(const fast_run *run, uint32_t l, uint32_t r)
         }
         if (right != NONE) {
             uint32_t q = edge[right ^ 1].origin;
-            if (turn(run, r, q, l) < 0) {
+            if (fast_turn(run, r, q, l) < 0) {
                 right = edge[right ^ 1].ccw;
                 r = q;
                 continue;
@@ -313,21 +205,20 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
     link_outside(run, lr ^ 1);
     run->site[l].edge = lr;
     for (;;) {
-        point2 eye = at(run, l), far = at(run, r);
-        seen rs = {far.x - eye.x, far.y - eye.y, 0, 0};
-        rs.lift = rs.x * rs.x + rs.y * rs.y;
+        point2 eye = fast_at(run, l);
+        fast_seen rs = fast_see(eye, (fast_seen){0}, fast_at(run, r));
 
         halfedge_id ly = edge[lr].ccw;                          // Step 3
         uint32_t y = edge[ly ^ 1].origin;
-        seen ys = see(eye, rs, at(run, y));
-        bool left = y != r && is_above(run, l, r, y, ys);
+        fast_seen ys = fast_see(eye, rs, fast_at(run, y));
+        bool left = y != r && fast_is_above(run, l, r, y, ys);
         while (left) {
             halfedge_id lz = edge[ly].ccw;
             uint32_t z = edge[lz ^ 1].origin;
             if (z == r)
                 break;
-            seen zs = see(eye, rs, at(run, z));
-            if (!is_inside(run, l, r, y, z, rs, ys, zs))
+            fast_seen zs = fast_see(eye, rs, fast_at(run, z));
+            if (!fast_is_inside(run, l, r, y, z, rs, ys, zs))
                 break;
             delete_edge(run, pool, ly);
             ly = lz;
@@ -337,15 +228,15 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
 
         halfedge_id rx = run->cw[lr ^ 1];                       // Step 4
         uint32_t x = edge[rx ^ 1].origin;
-        seen xs = see(eye, rs, at(run, x));
-        bool right = x != l && is_above(run, l, r, x, xs);
+        fast_seen xs = fast_see(eye, rs, fast_at(run, x));
+        bool right = x != l && fast_is_above(run, l, r, x, xs);
         while (right) {
             halfedge_id rz = run->cw[rx];
             uint32_t z = edge[rz ^ 1].origin;
             if (z == l)
                 break;
-            seen zs = see(eye, rs, at(run, z));
-            if (!is_inside(run, l, r, x, z, rs, xs, zs))
+            fast_seen zs = fast_see(eye, rs, fast_at(run, z));
+            if (!fast_is_inside(run, l, r, x, z, rs, xs, zs))
                 break;
             delete_edge(run, pool, rx);
             rx = rz;
@@ -355,7 +246,7 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
 
         if (!left && !right)                                    // Step 5
             break;
-        if (!left || (right && is_inside(run, l, r, y, x, rs, ys, xs))) { // Step 6
+        if (!left || (right && fast_is_inside(run, l, r, y, x, rs, ys, xs))) { // Step 6
             halfedge_id lx = new_edge(run, pool, l, x);
             link_after(run, lr, lx);
             link_after(run, run->cw[rx ^ 1], lx ^ 1);

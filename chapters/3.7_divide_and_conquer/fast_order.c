@@ -116,7 +116,11 @@ divide_sorted(fast_worker *w, uint32_t lo, uint32_t count, int axis)
     return cut(w, axis, a, b);
 }
 
-/* Triangulates sites without a further thought about where to cut, or writes it down. */
+/* Sorts sites along the axis and triangulates them, or writes it down.
+ *
+ * The half-edges of sites lo and up have their run->cw where spare has had these sites.
+ * That is safe: parts are taken in order, so spare holds none before lo any more, and those
+ * have used up none but their own half-edges. */
 static fast_part
 take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int axis)
 {
@@ -130,6 +134,7 @@ take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int axis)
     if (from != site)
         for (uint32_t i = 0; i < count; i++)
             site[i] = from[i];
+    assert(w->pool.fresh <= 6 * lo);
     sort_few(site, count, axis);
     uint32_t kept = drop_duplicates(site, count);
     w->duplicates += count - kept;

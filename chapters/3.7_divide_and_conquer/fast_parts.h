@@ -41,7 +41,7 @@ typedef struct fast_edge {
 } fast_edge;
 
 /* What a worker reads. The bounds say when a rounded determinant has the right sign:
- * see fast_merge.c. */
+ * see fast_questions.h. */
 typedef struct fast_run {
     fast_site *site;
     fast_edge *edge;
@@ -77,10 +77,6 @@ fast_same_place(const fast_site *p, const fast_site *q)
 {
     return p->x == q->x && p->y == q->y;
 }
-
-/* Fills in the sure bounds, for sites in a box of that width and height; and the whole
- * ones, for coordinates that are whole multiples of the unit (0: of no unit). */
-void fast_bounds(fast_run *run, double width, double height, double unit);
 
 /* The unused half-edges of sites lo .. lo+count-1. */
 fast_pool fast_pool_of(uint32_t lo, uint32_t count);
