@@ -102,8 +102,8 @@ take_halves(session *s, const scene *sc, uint32_t n)
     h.before = take_row(s, h.count, n, "an origin");
     uint32_t count = take_number(s, 0, UINT32_MAX, "the number of half-edges");
     expect(s, count == h.count + 6,
-           "there are %lu half-edges more than before; two new triangles have 6",
-           (unsigned long)count - h.count);
+           "there were %lu half-edges before, and now there are %lu; two new triangles "
+           "have 6 more", (unsigned long)h.count, (unsigned long)count);
     h.count += 6;
     h.origin = take_row(s, h.count, n, "an origin");
     h.twins = take_row(s, h.count, h.count - 1, "a twin");
@@ -313,37 +313,60 @@ take_side(session *s, const scene *sc, uint32_t n, const char *what)
     return failed(s) ? NONE : e;
 }
 
-/* "1-2-3", or "outside of 1-2"; text has room for 60 characters. */
-static const char *
-name_of(const scene *sc, halfedge_id e, char *text)
+/* What a failure calls a triangle, "triangle 1-2-3" or "the outside of 1-2", and an edge,
+ * "1-2" or "the edge from 1 to infinity". */
+typedef struct name {
+    char text[60];
+} name;
+
+static name
+name_of_triangle(vertex_id infinity, vertex_id a, vertex_id b, vertex_id c)
+{
+    name n;
+    unsigned long p = a, q = b, r = c;
+    if (a != infinity && b != infinity && c != infinity)
+        snprintf(n.text, sizeof n.text, "triangle %lu-%lu-%lu", p, q, r);
+    else
+        snprintf(n.text, sizeof n.text, "the outside of %lu-%lu",
+                 a == infinity ? r : b == infinity ? p : q,
+                 a == infinity ? q : b == infinity ? r : p);
+    return n;
+}
+
+static name
+name_of_edge(vertex_id infinity, vertex_id a, vertex_id b)
+{
+    name n;
+    if (a != infinity && b != infinity)
+        snprintf(n.text, sizeof n.text, "%lu-%lu", (unsigned long)a, (unsigned long)b);
+    else
+        snprintf(n.text, sizeof n.text, "the edge from %lu to infinity",
+                 (unsigned long)(a == infinity ? b : a));
+    return n;
+}
+
+static name
+name_of(const scene *sc, halfedge_id e)
 {
     triangle_list list = sc->around.list;
-    for (int i = 0; i < 3 && side_apex(list, e) != sc->around.infinity; i++)
-        e = next_of(e);
-    if (side_apex(list, e) == sc->around.infinity)
-        snprintf(text, 60, "outside of %lu-%lu", (unsigned long)side_dest(list, e),
-                 (unsigned long)side_origin(list, e));
-    else
-        snprintf(text, 60, "%lu-%lu-%lu", (unsigned long)side_origin(list, e),
-                 (unsigned long)side_dest(list, e), (unsigned long)side_apex(list, e));
-    return text;
+    return name_of_triangle(sc->around.infinity, side_origin(list, e), side_dest(list, e),
+                            side_apex(list, e));
 }
 
 /* Is the place right? Returns the half-edge of it. */
 static halfedge_id
 take_place(session *s, const scene *sc, uint32_t n, spot *kind)
 {
-    char text[60];
     *kind = (spot)(SPOT_TRIANGLE + take_number(s, 0, 2, "the kind of the place"));
     halfedge_id e = take_side(s, sc, n, "the place"), exact = e;
     if (failed(s))
         return NONE;
     spot found = sphere_spot(&sc->around, sc->p, &exact);
-    expect(s, found != SPOT_NOWHERE, "the place is in %s, and %lu does not lie there",
-           name_of(sc, e, text), (unsigned long)sc->p);
-    expect(s, found == *kind, "the place is said to be %s, and %lu lies %s in %s",
+    expect(s, found != SPOT_NOWHERE, "the place is said to be %s, and %lu does not lie there",
+           name_of(sc, e).text, (unsigned long)sc->p);
+    expect(s, found == *kind, "the place is said to be %s, and %lu lies %s (%s)",
            spot_names[*kind], (unsigned long)sc->p, spot_names[found],
-           name_of(sc, e, text));
+           name_of(sc, e).text);
     expect(s, found == SPOT_TRIANGLE || e == exact,
            "the triangle of the place is right, but its half-edge is to lead from %lu to "
            "%lu", (unsigned long)side_origin(sc->around.list, exact),
@@ -356,11 +379,10 @@ static void
 check_visit(session *s, const scene *sc, const site *at, uint32_t v, halfedge_id before,
             halfedge_id e, bool *visited)
 {
-    char text[60], other[60];
     triangle_list list = sc->around.list;
     if (failed(s))
         return;
-    expect(s, !visited[e / 3], "%s is visited twice", name_of(sc, e, text));
+    expect(s, !visited[e / 3], "%s is visited twice", name_of(sc, e).text);
     visited[e / 3] = true;
     bool outside = e / 3 >= sc->before.list.count, beside = before == NONE;
     for (int i = 0; before != NONE && i < 3; i++, before = next_of(before))
@@ -368,11 +390,11 @@ check_visit(session *s, const scene *sc, const site *at, uint32_t v, halfedge_id
             beside |= side_origin(list, f) == side_dest(list, before) &&
                       side_dest(list, f) == side_origin(list, before);
     expect(s, beside, "%s is visited after %s, and they have no side in common",
-           name_of(sc, e, text), before == NONE ? "" : name_of(sc, before, other));
+           name_of(sc, e).text, before == NONE ? "" : name_of(sc, before).text);
     if (!failed(s) && !outside &&
         !expect(s, meets_segment(at, list, e / 3, v, sc->p) != APART,
                 "%s is visited, and the segment from %lu to %lu does not meet it",
-                name_of(sc, e, text), (unsigned long)v, (unsigned long)sc->p))
+                name_of(sc, e).text, (unsigned long)v, (unsigned long)sc->p))
         show_witness(s, v);
 }
 
@@ -381,7 +403,6 @@ static uint32_t
 take_visits(session *s, const scene *sc, const site *at, uint32_t n, uint32_t v,
             spot kind, halfedge_id place)
 {
-    char text[60];
     triangle_list list = sc->around.list;
     bool *visited = room_for(list.count, sizeof *visited);
     uint32_t visits = take_number(s, 0, 1000, "the number of visits");
@@ -395,9 +416,10 @@ take_visits(session *s, const scene *sc, const site *at, uint32_t n, uint32_t v,
     for (triangle_id t = 0; t < sc->before.list.count && !failed(s); t++)
         expect(s, visited[t] || meets_segment(at, list, t, v, sc->p) != ENTERED,
                "the segment from %lu to %lu runs through %s, which is not visited",
-               (unsigned long)v, (unsigned long)sc->p, name_of(sc, 3 * t, text));
-    expect(s, failed(s) || kind != SPOT_TRIANGLE || visited[place / 3],
-           "the place is not visited");
+               (unsigned long)v, (unsigned long)sc->p, name_of(sc, 3 * t).text);
+    if (!failed(s) && kind == SPOT_TRIANGLE)
+        expect(s, visited[place / 3], "%s, the place, is not visited",
+               name_of(sc, place).text);
     free(visited);
     return visits;
 }
@@ -538,14 +560,13 @@ replay_locate(session *s, insertion *in, told t)
     expect(s, in->inserted < in->count && in->order[in->inserted] == t.p,
            "%lu is looked for, and it is not its turn", (unsigned long)t.p);
     halfedge_id e = failed(s) ? NONE : sphere_side(&in->now, t.a, t.b, t.c);
+    name place = name_of_triangle(in->n, t.a, t.b, t.c);
     expect(s, failed(s) || e != NONE,
-           "when %lu is to be inserted there is no triangle %lu-%lu-%lu, where it was "
-           "found: what was reported before is not what was done",
-           (unsigned long)t.p, (unsigned long)t.a, (unsigned long)t.b, (unsigned long)t.c);
+           "%lu is found in %s, which is not there after the flips that were reported",
+           (unsigned long)t.p, place.text);
     spot how = e != NONE ? sphere_spot(&in->now, t.p, &e) : SPOT_NOWHERE;
-    if (expect(s, how != SPOT_NOWHERE, "%lu does not lie in the triangle %lu-%lu-%lu",
-               (unsigned long)t.p, (unsigned long)t.a, (unsigned long)t.b,
-               (unsigned long)t.c)) {
+    if (expect(s, how != SPOT_NOWHERE, "%lu is looked for in %s, and does not lie there",
+               (unsigned long)t.p, place.text)) {
         sphere_split(&in->now, how, e, t.p);
         in->inserted++;
     }
@@ -556,9 +577,9 @@ replay_flip_at(session *s, insertion *in, told t)
 {
     uint32_t p = in->order[in->inserted - 1];
     if (!expect(s, in->inserted > 2 && sphere_flip(&in->now, t.a, t.b, p),
-                "after %lu has been inserted %lu-%lu is flipped, which is not an edge "
-                "opposite %lu that can be flipped: the flips at p are to give p one edge "
-                "each", (unsigned long)p, (unsigned long)t.a, (unsigned long)t.b,
+                "after %lu has been inserted %s is flipped, which is not opposite %lu, or "
+                "cannot be flipped: each flip is to give %lu one edge more",
+                (unsigned long)p, name_of_edge(in->n, t.a, t.b).text, (unsigned long)p,
                 (unsigned long)p)) {
         show_witness(s, p);
         if (t.a < in->n)
@@ -631,9 +652,8 @@ replay_move(session *s, insertion *in, told t)
 {
     expect(s, t.p < in->n, "the point that moves has the number %lu", (unsigned long)t.p);
     halfedge_id e = failed(s) ? NONE : sphere_side(&in->now, t.a, t.b, t.c);
-    if (!expect(s, e != NONE, "%lu is to wait in %lu-%lu-%lu, which is no triangle then",
-                (unsigned long)t.p, (unsigned long)t.a, (unsigned long)t.b,
-                (unsigned long)t.c))
+    if (!expect(s, e != NONE, "%lu is to wait in %s, which is not there then",
+                (unsigned long)t.p, name_of_triangle(in->n, t.a, t.b, t.c).text))
         return;
     const uint32_t home[3] = {t.a, t.b, t.c};
     for (int i = 0; i < 3; i++)
@@ -651,17 +671,13 @@ check_homes(session *s, const insertion *in)
         const uint32_t *h = in->home[q];
         expect(s, in->waits[q], "%lu has not been told where to wait", (unsigned long)q);
         halfedge_id e = failed(s) ? NONE : sphere_side(&in->now, h[0], h[1], h[2]);
+        name home = name_of_triangle(in->n, h[0], h[1], h[2]);
         expect(s, failed(s) || e != NONE,
-               "%lu waits in the triangle %lu-%lu-%lu still, and it is not there any more "
-               "(%lu stands for infinity)",
-               (unsigned long)q, (unsigned long)h[0], (unsigned long)h[1],
-               (unsigned long)h[2], (unsigned long)in->n);
-        if (!failed(s) && !expect(s, sphere_has(&in->now, e / 3, q),
-                                  "%lu waits in the triangle %lu-%lu-%lu, and does not "
-                                  "lie there (%lu stands for infinity)",
-                                  (unsigned long)q, (unsigned long)h[0],
-                                  (unsigned long)h[1], (unsigned long)h[2],
-                                  (unsigned long)in->n))
+               "%lu waits in %s still, which is not there any more", (unsigned long)q,
+               home.text);
+        if (!failed(s) &&
+            !expect(s, sphere_has(&in->now, e / 3, q),
+                    "%lu waits in %s, and does not lie there", (unsigned long)q, home.text))
             show_witness(s, q);
     }
 }

@@ -130,7 +130,7 @@ static void
 divide_is_cheap(session *s, const site *p, uint32_t n)
 {
     check_divide(s, 'b', p, n);
-    double most = 6.0 * n * log2(n);
+    double most = n > 1 ? 6.0 * n * log2(n) : 0;
     expect(s, (double)asked_in_all(s) <= most,
            "%llu questions of all kinds for %lu points; 6 n log2 n is %.0f",
            (unsigned long long)asked_in_all(s), (unsigned long)n, most);
