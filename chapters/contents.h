@@ -16,7 +16,7 @@ typedef struct algorithm {
     tri_status (*triangulate)(const point2 *points, uint32_t n,
                               const tri_options *options, mesh *out);
     bool delaunay;             /* is the result a Delaunay triangulation? */
-    uint32_t most;             /* with more points it takes longer than tests can wait */
+    uint32_t most;             /* more points take longer than tests can wait */
     const char *summary;       /* a phrase for people */
     const figure_steps *steps; /* for those who watch; NULL: it reports nothing */
 } algorithm;

@@ -72,7 +72,8 @@ binary_parse_points(const char *bytes, size_t size, text_points *out,
     const unsigned char *from = (const unsigned char *)bytes;
     *out = (text_points){0};
     if (size < HEADER)
-        return refuse(&t, "binary points: cut off in the header, after %llu bytes", size);
+        return refuse(&t, "binary points: cut off in the header, after %llu bytes",
+                      size);
     uint64_t version = get(from + 8, 4), count = get(from + 12, 4);
     if (version != VERSION)
         return refuse(&t, "binary points of version %llu: only version 1 can be read",

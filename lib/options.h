@@ -52,8 +52,9 @@ tri_options tri_options_default(void);
 /* What every algorithm does first: may it run on these points?
  *
  *   TRI_OK                  yes; *used holds the options to use
- *   TRI_BAD_OPTION          another version's size, a direction that is zero or not finite,
- *                           cuts or a locator that are none of the above, no thread
+ *   TRI_BAD_OPTION          another version's size, a direction that is zero or not
+ *                           finite, cuts or a locator that are none of the above,
+ *                           no thread
  *   TRI_BAD_FP_ENVIRONMENT  rounding is not to nearest, or subnormals are flushed
  *   TRI_NOT_FINITE          some coordinate is NaN or infinite
  *

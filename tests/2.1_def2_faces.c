@@ -24,11 +24,14 @@ a_simplex_has_all_its_faces(void)
             of_dimension[face[i].dimension + 1]++;
             CLAIM("def2.P1", simplex_is_face(face[i], s), "face %u of k = %d", i, k);
             for (uint32_t j = 0; j < i; j++)
-                CLAIM("def2.P1", face[i].dimension != face[j].dimension ||
-                      !simplex_is_face(face[i], face[j]), "faces %u and %u are one", i, j);
+                CLAIM("def2.P1",
+                      face[i].dimension != face[j].dimension ||
+                          !simplex_is_face(face[i], face[j]),
+                      "faces %u and %u are one", i, j);
         }
         for (int i = -1; i <= k; i++)
-            CLAIM("def2.P1", of_dimension[i + 1] == binomial((uint32_t)k + 1, (uint32_t)i + 1),
+            CLAIM("def2.P1",
+                  of_dimension[i + 1] == binomial((uint32_t)k + 1, (uint32_t)i + 1),
                   "%u faces of dimension %d for k = %d", of_dimension[i + 1], i, k);
     }
 }
@@ -40,7 +43,8 @@ a_triangle_has_eight_faces(void)
     uint32_t faces = simplex_faces((simplex){2, {0, 1, 2}}, face);
     CLAIM("def2.P1", faces == 8, "%u faces", faces);
     CLAIM("def2.P1", face[0].dimension == -1, "the empty face is missing");
-    CLAIM("def2.P1", !simplex_is_face((simplex){1, {0, 3}}, face[7]), "03 is no face of 012");
+    CLAIM("def2.P1", !simplex_is_face((simplex){1, {0, 3}}, face[7]),
+          "03 is no face of 012");
 }
 
 /* On small whole numbers: is p affinely independent, by the integers themselves,
@@ -50,7 +54,8 @@ affine_independence_has_no_first_point(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n >= 3);
     for (int first = 0; first < 3; first++) {
-        point2 u = points[first], v = points[(first + 1) % 3], w = points[(first + 2) % 3];
+        point2 u = points[first], v = points[(first + 1) % 3],
+               w = points[(first + 2) % 3];
         double det = (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
         CLAIM("def1.P1", is_affinely_independent(points, (simplex){2, {0, 1, 2}}) ==
               (det != 0), "with u0 = %d the determinant is %g", first, det);

@@ -148,11 +148,13 @@ closures(void)
     simplex_list list, given = {2, two};
     CLAIM("def3.P1", simplex_closure(given, &list) == TRI_OK, "out of memory");
     CLAIM("def3.P1", list.count == 11, "%u simplices", list.count);
-    CLAIM("def3.P1", complex_dimension(list) == 2, "dimension %d", complex_dimension(list));
+    CLAIM("def3.P1", complex_dimension(list) == 2, "dimension %d",
+          complex_dimension(list));
     simplex_list_free(&list);
     CLAIM("def3.P1", complex_dimension(list) == -1, "an empty list has a dimension");
     memory_fail_at(1);
-    CLAIM("def3.P1", simplex_closure(given, &list) == TRI_OUT_OF_MEMORY && !list.simplex,
+    CLAIM("def3.P1",
+          simplex_closure(given, &list) == TRI_OUT_OF_MEMORY && !list.simplex,
           "no memory, and no status");
     memory_fail_at(0);
 }
@@ -177,12 +179,17 @@ static void
 bad_lists_are_refuted(void)
 {
     const point2 points[] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
-    simplex out_of_range[] = {{0, {4}}}, unordered[] = {{0, {1}}, {0, {0}}, {1, {1, 0}}};
+    simplex out_of_range[] = {{0, {4}}},
+            unordered[] = {{0, {1}}, {0, {0}}, {1, {1, 0}}};
     simplex solid[] = {{3, {0, 1, 2, 3}}}, same[] = {{0, {0}}, {0, {3}}};
-    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){1, out_of_range}).holds, "range");
-    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){3, unordered}).holds, "order");
-    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){1, solid}).holds, "dimension 3");
-    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){2, same}).holds, "one location");
+    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){1, out_of_range}).holds,
+          "range");
+    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){3, unordered}).holds,
+          "order");
+    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){1, solid}).holds,
+          "dimension 3");
+    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){2, same}).holds,
+          "one location");
     CLAIM("def3.P1", is_complex(points, 4, (simplex_list){0, NULL}).holds, "empty");
 }
 

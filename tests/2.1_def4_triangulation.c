@@ -26,12 +26,14 @@ every_algorithm_triangulates(const point2 *points, uint32_t n)
         triangle_list list;
         verdict v;
         tri_status status = contents[i].triangulate(points, n, NULL, &m);
-        CLAIM("def4.P3", status == TRI_OK, "%s: %s", contents[i].name, tri_status_text(status));
+        CLAIM("def4.P3", status == TRI_OK, "%s: %s", contents[i].name,
+              tri_status_text(status));
         claim_verdict("def4.P3", mesh_check(&m));
         CLAIM("def4.P3", mesh_triangles(&m, &list) == TRI_OK, "out of memory");
         test_picture(list);
         predicate_counts before = predicate_count;
-        CLAIM("def4.P3", is_triangulation(points, n, list, &v) == TRI_OK, "out of memory");
+        CLAIM("def4.P3", is_triangulation(points, n, list, &v) == TRI_OK,
+              "out of memory");
         uint64_t tests = predicate_count.orient2d - before.orient2d;
         uint64_t comparisons = predicate_count.compare_along - before.compare_along;
         uint64_t t = list.count, h = mesh_hull_size(&m);
@@ -106,7 +108,7 @@ is_triangulation_by_definition(const point2 *p, uint32_t n, triangle_list list)
         holds = holds && used[v];
     simplex_list K = {0};
     if (holds && simplex_closure((simplex_list){list.count, triangle}, &K) == TRI_OK)
-        holds = is_complex(p, n, K).holds; /* certified against Definition 3 in 2.1_def3 */
+        holds = is_complex(p, n, K).holds; /* see 2.1_def3_complex.c */
     simplex_list_free(&K);
     free(triangle);
     free(used);
@@ -165,7 +167,8 @@ accepts_exactly_the_triangulations(const point2 *points, uint32_t n)
         CLAIM("def4.P4", sweep_triangulate(points, n, NULL, &m) == TRI_OK &&
               mesh_triangles(&m, &list) == TRI_OK, "no triangles");
         mesh_free(&m);
-        for (uint32_t faults = random_below(r, 4); faults > 0 && list.count > 0; faults--)
+        for (uint32_t faults = random_below(r, 4); faults > 0 && list.count > 0;
+             faults--)
             spoil(&list, n, r);
         bool expected = is_triangulation_by_definition(points, n, list);
         tri_status status = is_triangulation(points, n, list, &v);
@@ -173,7 +176,8 @@ accepts_exactly_the_triangulations(const point2 *points, uint32_t n)
         triangle_list_free(&list);
         CLAIM("def4.P4", status == TRI_OK, "%s", tri_status_text(status));
         CLAIM("def4.P4", !v.holds || expected, "accepted, and is no triangulation");
-        CLAIM("def4.P5", v.holds || !expected, "refused although it is one: %s", v.because);
+        CLAIM("def4.P5", v.holds || !expected, "refused although it is one: %s",
+              v.because);
     }
 }
 
@@ -198,7 +202,7 @@ crosses_ray(point2 a, point2 b, point2 q)
     return 0;
 }
 
-/* Up to eight random counterclockwise triangles, no two along the same directed side. */
+/* Up to eight random counterclockwise triangles, no two along one directed side. */
 static uint32_t
 random_triangles(const point2 *p, uint32_t n, vertex_id corner[8][3], halfedge_id *twin)
 {
@@ -211,11 +215,14 @@ random_triangles(const point2 *p, uint32_t n, vertex_id corner[8][3], halfedge_i
         if (twice_area(p, c) <= 0)
             continue;
         triangle_list list = {count + 1, corner};
-        CLAIM("def4.P1", triangle_list_twins(list, twin, &repeated) == TRI_OK, "memory");
+        CLAIM("def4.P1", triangle_list_twins(list, twin, &repeated) == TRI_OK,
+              "memory");
         count += repeated == NONE;
     }
-    CLAIM("def4.P1", triangle_list_twins((triangle_list){count, corner}, twin, &repeated)
-          == TRI_OK, "memory");
+    CLAIM("def4.P1",
+          triangle_list_twins((triangle_list){count, corner}, twin, &repeated) ==
+              TRI_OK,
+          "memory");
     return count;
 }
 
@@ -237,9 +244,12 @@ covered_as_often_as_run_around(const point2 *p, uint32_t n)
             }
             for (halfedge_id e = 0; e < 3 * list.count; e++)
                 if (twin[e] == NONE)
-                    winding += crosses_ray(p[side_origin(list, e)], p[side_dest(list, e)], q);
-            CLAIM("def4.P1", covered == winding, "(%g,%g) lies in %d triangles, and the "
-                  "boundary winds %d times around it", q.x, q.y, covered, winding);
+                    winding += crosses_ray(p[side_origin(list, e)],
+                                           p[side_dest(list, e)], q);
+            CLAIM("def4.P1", covered == winding,
+                  "(%g,%g) lies in %d triangles, and the "
+                  "boundary winds %d times around it",
+                  q.x, q.y, covered, winding);
         }
 }
 
@@ -284,7 +294,8 @@ faults_have_witnesses(void)
     CLAIM("def4.P2", check(p, 5, bay, 3).witness[0] == 4, "the bay at vertex 4");
     CLAIM("def4.P4", !check(p, 4, twice, 2).holds, "two triangles left of one edge");
     CLAIM("def4.P3", check(p, 4, clockwise, 2).witnesses == 3, "a clockwise triangle");
-    CLAIM("def4.P4", check(q, 5, two_names, 2).witnesses == 2, "one point, two vertices");
+    CLAIM("def4.P4", check(q, 5, two_names, 2).witnesses == 2,
+          "one point, two vertices");
     CLAIM("def4.P3", !check(p, 4, beyond, 1).holds, "vertex 9 of 4");
     CLAIM("def4.P2", !check(p, 5, touching, 2).holds, "two triangles at a vertex");
     CLAIM("def4.P3", !check(p, 4, NULL, 0).holds, "no triangle for a square");
@@ -323,12 +334,15 @@ memory_may_run_out(void)
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "Definition 4: V is the vertex set of T, |T| its convex hull");
+    test_begin(argc, argv,
+               "Definition 4: V is the vertex set of T, |T| its convex hull");
     test_random("every algorithm", every_algorithm_triangulates, 2000, 60);
     test_near_degenerate("every algorithm", every_algorithm_triangulates, 1000, 20);
     test_grid_subsets("every algorithm", every_algorithm_triangulates, 4);
-    test_grid_subsets("exactly the triangulations", accepts_exactly_the_triangulations, 4);
-    test_grid_subsets("covered as often as run around", covered_as_often_as_run_around, 4);
+    test_grid_subsets("exactly the triangulations", accepts_exactly_the_triangulations,
+                      4);
+    test_grid_subsets("covered as often as run around", covered_as_often_as_run_around,
+                      4);
     test_run("a pentagram", a_pentagram_is_no_hull);
     test_run("faults have witnesses", faults_have_witnesses);
     test_run("E3: collinear points", e3_collinear_points_have_no_triangle);

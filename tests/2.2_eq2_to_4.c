@@ -99,8 +99,8 @@ every_algorithm_obeys(const point2 *points, uint32_t n)
     tri_status status = row->triangulate(points, n, NULL, &m);
     CLAIM("eq2.P1", status == TRI_OK, "%s: %s", row->name, tri_status_text(status));
     counted k = count_mesh(&m);
-    CLAIM("eq2.P1", k.c.v == m.locations && k.c.components == 1, "%u of %u, in %u", k.c.v,
-          m.locations, k.c.components);
+    CLAIM("eq2.P1", k.c.v == m.locations && k.c.components == 1, "%u of %u, in %u",
+          k.c.v, m.locations, k.c.components);
     check_equations(&k, row->name);
     mesh_free(&m);
 }
@@ -253,9 +253,12 @@ e7_f_means_two_things(void)
 {
     counted k = count_points(square, 4);
     uint32_t v = k.c.v, e = k.c.e, f = k.c.f, h = k.c.h, t = k.t;
-    CLAIM("E7", v - e + f == 2 && 3 * f != 2 * e - h, "e = %u, f = %u, h = %u", e, f, h);
-    CLAIM("E7", v - e + t != 2 && 3 * t == 2 * e - h, "e = %u, t = %u, h = %u", e, t, h);
-    CLAIM("E7", v == 4 && e == 5 && t == 2 && h == 4, "e = %u, t = %u, h = %u", e, t, h);
+    CLAIM("E7", v - e + f == 2 && 3 * f != 2 * e - h, "e = %u, f = %u, h = %u", e, f,
+          h);
+    CLAIM("E7", v - e + t != 2 && 3 * t == 2 * e - h, "e = %u, t = %u, h = %u", e, t,
+          h);
+    CLAIM("E7", v == 4 && e == 5 && t == 2 && h == 4, "e = %u, t = %u, h = %u", e, t,
+          h);
 }
 
 static void

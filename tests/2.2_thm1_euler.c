@@ -207,7 +207,8 @@ check_walks(const drawing *d, const euler_counts *c)
         of_walk[left[h]] = region_of(d, h);
     for (halfedge_id h = 0; h < 2 * d->edges; h++)
         CLAIM("thm1.P1", of_walk[left[h]] == region_of(d, h),
-              "the walk at %u %u leaves its face", d->g.origin[h], graph_dest(&d->g, h));
+              "the walk at %u %u leaves its face", d->g.origin[h],
+              graph_dest(&d->g, h));
     uint32_t regions = count_regions(d);
     if (c->components == 1)
         CLAIM("thm1.P1", walks == regions, "%u walks, %u regions", walks, regions);
@@ -291,7 +292,8 @@ check_cotree(const drawing *d, const edge_part *part)
             joined += join_sets(by_cotree, left, right);
         if (part[k] != IN_TREE)
             CLAIM("thm1.P4", join_sets(by_all, left, right),
-                  "the dual edge across %u %u closes a cycle", d->edge[k].a, d->edge[k].b);
+                  "the dual edge across %u %u closes a cycle", d->edge[k].a,
+                  d->edge[k].b);
     }
     CLAIM("thm1.P3", joined == regions, "%u of %u regions are joined", joined, regions);
     free(by_all);
@@ -307,7 +309,8 @@ the_two_trees(const point2 *points, uint32_t n)
     edge_part *part = malloc((d.edges + 1) * sizeof *part);
     CLAIM("thm1.P5", c.components == 1, "%u components", c.components);
     CLAIM("thm1.P5", c.v - c.e + c.f == 2, "v = %u, e = %u, f = %u", c.v, c.e, c.f);
-    CLAIM("thm1.P5", tree_and_cotree(&d.g, part) == TRI_OK, "no trees of %u edges", c.e);
+    CLAIM("thm1.P5", tree_and_cotree(&d.g, part) == TRI_OK, "no trees of %u edges",
+          c.e);
     check_tree(&d.g, part);
     check_cotree(&d, part);
     free(part);
@@ -387,7 +390,8 @@ the_dual_of_a_graph(const point2 *points, uint32_t n)
           "v* = %u, f = %u, e* = %u, e = %u", dual.vertices, c.f, dual.edges, c.e);
     check_dual_faces(&d.g, &dual);
     CLAIM("graph.P1", simple, "a straight drawing of %u edges is not simple", c.e);
-    CLAIM("graph.P1", dual_simple == all_pairs_simple(&dual), "simple: %d", dual_simple);
+    CLAIM("graph.P1", dual_simple == all_pairs_simple(&dual), "simple: %d",
+          dual_simple);
     graph_free(&dual);
     drawing_free(&d);
 }
@@ -436,7 +440,8 @@ paths_are_shortest(const point2 *points, uint32_t n)
         CLAIM("graph.P2", length == NONE || at == to, "it ends at %u, not %u", at, to);
         all = all && length != NONE;
     }
-    CLAIM("graph.P2", graph_is_connected(&d.g, &connected) == TRI_OK && connected == all,
+    CLAIM("graph.P2",
+          graph_is_connected(&d.g, &connected) == TRI_OK && connected == all,
           "connected: %d, paths to all: %d", connected, all);
     free(path);
     free(distance);
@@ -464,8 +469,9 @@ plane_graphs_are_sparse(const point2 *points, uint32_t n)
     if (c.v > 2 && c.components == 1) {
         CLAIM("eq3.P1", 3 * c.f <= 2 * c.e, "f = %u, e = %u", c.f, c.e);
         CLAIM("eq3.P1", (3 * c.f == 2 * c.e) == triangles, "f = %u, e = %u", c.f, c.e);
-        CLAIM("eq4.P1", (c.e == 3 * c.v - 6) == triangles &&
-              (c.f == 2 * c.v - 4) == triangles, "v = %u, e = %u, f = %u", c.v, c.e, c.f);
+        CLAIM("eq4.P1",
+              (c.e == 3 * c.v - 6) == triangles && (c.f == 2 * c.v - 4) == triangles,
+              "v = %u, e = %u, f = %u", c.v, c.e, c.f);
     }
     drawing_free(&d);
 }
@@ -554,7 +560,8 @@ k4_is_planar(void)
     const point2 points[] = {{0, 0}, {4, 0}, {2, 3}, {2, 1}};
     const edge_ends edge[] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
     plane_graph g;
-    CLAIM("planar.P1", graph_from_drawing(points, 4, edge, 6, &g) == TRI_OK, "no %s", "K4");
+    CLAIM("planar.P1", graph_from_drawing(points, 4, edge, 6, &g) == TRI_OK, "no %s",
+          "K4");
     euler_counts c = counts_of(&g);
     CLAIM("planar.P1", c.f == 4 && c.h == 3, "K4 drawn: f = %u, h = %u", c.f, c.h);
     graph_free(&g);
@@ -582,8 +589,10 @@ e4_duals_are_not_simple(void)
     CLAIM("E4", graph_from_drawing(points, 2, edge, 1, &g) == TRI_OK &&
           graph_dual(&g, &dual) == TRI_OK && graph_is_simple(&dual, &simple) == TRI_OK,
           "no dual of %s", "K2");
-    CLAIM("E4", dual.vertices == 1 && dual.edges == 1 && !simple &&
-          dual.origin[0] == dual.origin[1], "the dual of K2 has %u vertices", dual.vertices);
+    CLAIM("E4",
+          dual.vertices == 1 && dual.edges == 1 && !simple &&
+              dual.origin[0] == dual.origin[1],
+          "the dual of K2 has %u vertices", dual.vertices);
     graph_free(&g);
     graph_free(&dual);
     CLAIM("E4", graph_from_drawing(points, 3, edge, 3, &g) == TRI_OK &&
@@ -592,7 +601,8 @@ e4_duals_are_not_simple(void)
     CLAIM("E4", dual.vertices == 2 && dual.edges == 3 && !simple,
           "the dual of a triangle has %u vertices", dual.vertices);
     for (halfedge_id h = 0; h < 6; h++)
-        CLAIM("E4", dual.origin[h] != graph_dest(&dual, h), "half-edge %u is a loop", h);
+        CLAIM("E4", dual.origin[h] != graph_dest(&dual, h), "half-edge %u is a loop",
+              h);
     graph_free(&g);
     graph_free(&dual);
 }
@@ -636,7 +646,8 @@ memory_may_run_out(void)
     mesh m;
     for (int i = 0; i < 12; i++)
         points[i] = (point2){i % 4, i / 4};
-    CLAIM("thm1.P5", sweep_triangulate(points, 12, NULL, &m) == TRI_OK, "no %s", "mesh");
+    CLAIM("thm1.P5", sweep_triangulate(points, 12, NULL, &m) == TRI_OK, "no %s",
+          "mesh");
     unsigned long failures = 0;
     tri_status status = TRI_OUT_OF_MEMORY;
     for (unsigned long k = 1; status != TRI_OK; k++) {

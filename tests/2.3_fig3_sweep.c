@@ -53,16 +53,20 @@ check_visible_edges(const mesh *m, const point2 *points, halfedge_id leaving)
             continue;
         /* The triangle lies left of e, so the old hull edge is e's twin. */
         vertex_id u = mesh_dest(m, e), w = mesh_origin(m, e);
-        CLAIM("fig3.P2", sees(points, p, u, w), "%u is joined to the edge %u %u, which it "
-              "does not see", p, u, w);
+        CLAIM("fig3.P2", sees(points, p, u, w),
+              "%u is joined to the edge %u %u, which it "
+              "does not see",
+              p, u, w);
         seen++;
     }
     halfedge_id e = leaving;
     do {
         vertex_id u = mesh_origin(m, e), w = mesh_dest(m, e);
         if (u != p && w != p)
-            CLAIM("fig3.P2", !sees(points, p, u, w), "%u sees the edge %u %u, and is not "
-                  "joined to it", p, u, w);
+            CLAIM("fig3.P2", !sees(points, p, u, w),
+                  "%u sees the edge %u %u, and is not "
+                  "joined to it",
+                  p, u, w);
         e = mesh_hull_next(m, e);
     } while (e != leaving);
     return seen;
@@ -89,7 +93,7 @@ check_invariant(const mesh *m, const point2 *points)
 {
     uint32_t u = 0;
     point2 *swept = malloc(m->points * sizeof *swept);
-    vertex_id *place = malloc(m->points * sizeof *place); /* vertex -> its index there */
+    vertex_id *place = malloc(m->points * sizeof *place); /* vertex -> index in swept */
     triangle_list list = {0};
     verdict v = verdict_holds();
     for (vertex_id i = 0; i < m->points; i++)
@@ -139,7 +143,8 @@ see_attach(trace *self, const mesh *m, const trace_event *event)
 static void
 every_step_keeps_the_invariant(const point2 *points, uint32_t n)
 {
-    watcher w = {.observer = {see_attach}, .points = points, .direction = random_direction()};
+    watcher w = {
+        .observer = {see_attach}, .points = points, .direction = random_direction()};
     tri_options options = tri_options_default();
     options.direction = w.direction;
     options.trace = &w.observer;
@@ -170,8 +175,9 @@ the_hull_is_convex(const point2 *points, uint32_t n)
                   "%u lies right of the hull edge %u %u", p, u, w);
     }
     for (uint32_t i = 0; i + 2 < h && flat; i++) /* from one end to the other */
-        CLAIM("fig3.P5", compare_along(along_x, points[hull[i]], points[hull[i + 1]]) ==
-                         compare_along(along_x, points[hull[i + 1]], points[hull[i + 2]]),
+        CLAIM("fig3.P5",
+              compare_along(along_x, points[hull[i]], points[hull[i + 1]]) ==
+                  compare_along(along_x, points[hull[i + 1]], points[hull[i + 2]]),
               "the path turns back at %u", hull[i + 1]);
     free(hull);
     mesh_free(&m);
@@ -250,7 +256,8 @@ static void
 e11_a_collinear_beginning(void)
 {
     const point2 points[] = {{0, 0}, {0, 1}, {0, 2}, {1, 0}};
-    CLAIM("E11", orient2d(points[0], points[1], points[2]) == 0, "v1 v2 v3 is a triangle");
+    CLAIM("E11", orient2d(points[0], points[1], points[2]) == 0,
+          "v1 v2 v3 is a triangle");
     every_step_keeps_the_invariant(points, 4);
 }
 
@@ -340,7 +347,8 @@ int
 main(int argc, char **argv)
 {
     test_begin(argc, argv, "Figure 3: LineSweep triangulates, step by step");
-    test_random("the invariant at every step", every_step_keeps_the_invariant, 2000, 40);
+    test_random("the invariant at every step", every_step_keeps_the_invariant, 2000,
+                40);
     test_near_degenerate("the invariant at every step", every_step_keeps_the_invariant,
                          2000, 25);
     test_grid_subsets("the invariant at every step", every_step_keeps_the_invariant, 3);

@@ -30,7 +30,8 @@ typedef struct watcher {
 static void
 check_stack(const mesh *m, const watcher *w, halfedge_id popped)
 {
-    CLAIM("E35", mesh_in_triangle(m, popped) || mesh_in_triangle(m, mesh_twin(m, popped)),
+    CLAIM("E35",
+          mesh_in_triangle(m, popped) || mesh_in_triangle(m, mesh_twin(m, popped)),
           "half-edge %u is a side of no triangle", popped);
     for (halfedge_id e = 0; e < mesh_halfedges(m); e++) {
         halfedge_id f = mesh_twin(m, e);
@@ -107,8 +108,10 @@ run_watched(mesh *m, const point2 *points, watcher *w)
     free(w->gone);
     CLAIM("fig10.P6", w->pops <= interior + 4 * w->flips, "%llu edges popped",
           (unsigned long long)w->pops);
-    CLAIM("fig10.P6", !w->only_counts || tests <= w->pops, "%llu incircle tests for %llu "
-          "edges", (unsigned long long)tests, (unsigned long long)w->pops);
+    CLAIM("fig10.P6", !w->only_counts || tests <= w->pops,
+          "%llu incircle tests for %llu "
+          "edges",
+          (unsigned long long)tests, (unsigned long long)w->pops);
 }
 
 static void
@@ -119,7 +122,8 @@ check_delaunay(const mesh *m, const point2 *points)
     claim_verdict("fig10.P5", mesh_check(m));
     CLAIM("fig10.P5", mesh_triangles(m, &list) == TRI_OK, "out of memory");
     test_picture(list);
-    CLAIM("fig10.P5", is_delaunay(points, m->points, list, &v) == TRI_OK, "out of memory");
+    CLAIM("fig10.P5", is_delaunay(points, m->points, list, &v) == TRI_OK,
+          "out of memory");
     triangle_list_free(&list);
     claim_verdict("fig10.P5", v);
 }
@@ -182,7 +186,8 @@ the_ladder_needs_m_squared_flips(void)
             tri_options up = tri_options_default();
             up.direction = (point2){0, 1};
             mesh K;
-            CLAIM("fig10.P7", sweep_triangulate(points, n, &up, &K) == TRI_OK, "no mesh");
+            CLAIM("fig10.P7", sweep_triangulate(points, n, &up, &K) == TRI_OK,
+                  "no mesh");
             watcher w = {.shuffled = shuffled};
             run_watched(&K, points, &w);
             check_delaunay(&K, points);
@@ -225,8 +230,10 @@ it_can_be_stopped_and_memory_may_run_out(void)
     tri_options options = tri_options_default();
     options.trace = &w.observer;
     mesh m;
-    CLAIM("fig10.P5", lawson_triangulate(points, 30, &options, &m) == TRI_CANCELLED &&
-          m.halfedge == NULL && w.flips == 3, "%llu flips", (unsigned long long)w.flips);
+    CLAIM("fig10.P5",
+          lawson_triangulate(points, 30, &options, &m) == TRI_CANCELLED &&
+              m.halfedge == NULL && w.flips == 3,
+          "%llu flips", (unsigned long long)w.flips);
     tri_status status = TRI_OUT_OF_MEMORY;
     for (unsigned long k = 1; status == TRI_OUT_OF_MEMORY; k++) {
         memory_fail_at(k);

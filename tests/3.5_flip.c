@@ -22,7 +22,8 @@ check_triangulation(const char *claim, const point2 *points, const mesh *m)
     claim_verdict(claim, v);
     CLAIM(claim, mesh_triangles(m, &list) == TRI_OK, "out of memory");
     test_picture(list);
-    CLAIM(claim, is_triangulation(points, m->points, list, &v) == TRI_OK, "out of memory");
+    CLAIM(claim, is_triangulation(points, m->points, list, &v) == TRI_OK,
+          "out of memory");
     triangle_list_free(&list);
     claim_verdict(claim, v);
 }
@@ -47,11 +48,15 @@ check_turned(const mesh *m, halfedge_id ab, const vertex_id v[4])
     enum { a, b, c, d };
     const int after[6][2] = {{d, c}, {c, a}, {a, d}, {c, d}, {d, b}, {b, c}};
     halfedge_id ba = mesh_twin(m, ab);
-    halfedge_id e[6] = {ab, mesh_next(ab), mesh_prev(ab), ba, mesh_next(ba), mesh_prev(ba)};
+    halfedge_id e[6] = {ab, mesh_next(ab), mesh_prev(ab),
+                        ba, mesh_next(ba), mesh_prev(ba)};
     for (int i = 0; i < 6; i++)
-        CLAIM("flip.P1", mesh_origin(m, e[i]) == v[after[i][0]] &&
-              mesh_dest(m, e[i]) == v[after[i][1]], "half-edge %d of the table leads from "
-              "%u to %u", i, mesh_origin(m, e[i]), mesh_dest(m, e[i]));
+        CLAIM("flip.P1",
+              mesh_origin(m, e[i]) == v[after[i][0]] &&
+                  mesh_dest(m, e[i]) == v[after[i][1]],
+              "half-edge %d of the table leads from "
+              "%u to %u",
+              i, mesh_origin(m, e[i]), mesh_dest(m, e[i]));
 }
 
 static void
@@ -93,7 +98,8 @@ flippable_means_convex(const point2 *points, uint32_t n)
         vertex_id c = mesh_apex(&m, ab), d = mesh_apex(&m, mesh_twin(&m, ab));
         int left = orient2d(points[c], points[d], points[a]);
         int right = orient2d(points[c], points[d], points[b]);
-        CLAIM("flip.P3", left * right >= 0, "ab = %u %u and cd = %u %u cross", a, b, c, d);
+        CLAIM("flip.P3", left * right >= 0, "ab = %u %u and cd = %u %u cross", a, b, c,
+              d);
     }
     if (ab != NONE && is_flippable(&m, points, ab)) {
         flip(&m, ab);

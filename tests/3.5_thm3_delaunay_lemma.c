@@ -56,12 +56,14 @@ locally_delaunay_means_delaunay(const point2 *points, uint32_t n)
     CLAIM("thm3.P2", is_delaunay(points, n, list, &v) == TRI_OK, "out of memory");
     triangle_list_free(&list);
     mesh_free(&m);
-    CLAIM("thm3.P2", !local || empty, "all edges are locally Delaunay, some circle is not "
+    CLAIM("thm3.P2", !local || empty,
+          "all edges are locally Delaunay, some circle is not "
           "empty");
     CLAIM("thm3.P3", local || !empty, "all circles are empty, some edge is not locally "
           "Delaunay");
     CLAIM("thm3.P2", v.holds == empty, "is_delaunay says %s", v.because);
-    CLAIM("thm3.P2", v.holds || v.witnesses == 4, "without four witnesses: %s", v.because);
+    CLAIM("thm3.P2", v.holds || v.witnesses == 4, "without four witnesses: %s",
+          v.because);
 }
 
 /* ---- The walk of the proof, on whole numbers small enough for doubles. ---- */
@@ -104,8 +106,8 @@ power_does_not_increase(const point2 *drawn, uint32_t n)
             double here = scaled_power(points, &m, ab, d, &here_area);
             double there = scaled_power(points, &m, mesh_twin(&m, ab), d, &there_area);
             CLAIM("thm3.P1", here * there_area >= there * here_area,
-                  "the power of %u grows from %g/%g to %g/%g", d, here, here_area, there,
-                  there_area);
+                  "the power of %u grows from %g/%g to %g/%g", d, here, here_area,
+                  there, there_area);
         }
     }
     mesh_free(&m);
@@ -169,13 +171,15 @@ main(int argc, char **argv)
 {
     const point2 circle[] = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}};
     test_begin(argc, argv, "Theorem 3: locally Delaunay everywhere is Delaunay");
-    test_random("locally Delaunay means Delaunay", locally_delaunay_means_delaunay, 3000, 40);
-    test_near_degenerate("locally Delaunay means Delaunay", locally_delaunay_means_delaunay,
-                         3000, 25);
-    test_grid_subsets("locally Delaunay means Delaunay", locally_delaunay_means_delaunay, 4);
+    test_random("locally Delaunay means Delaunay", locally_delaunay_means_delaunay,
+                3000, 40);
+    test_near_degenerate("locally Delaunay means Delaunay",
+                         locally_delaunay_means_delaunay, 3000, 25);
+    test_grid_subsets("locally Delaunay means Delaunay",
+                      locally_delaunay_means_delaunay, 4);
     test_random("the power does not increase", power_does_not_increase, 1000, 30);
-    test_points("E32: ties would flip for ever", e32_cocircular_edges_would_flip_for_ever,
-                circle, 5);
+    test_points("E32: ties would flip for ever",
+                e32_cocircular_edges_would_flip_for_ever, circle, 5);
     test_run("E36: local is not global", e36_local_is_not_global);
     return test_end((test_minima){.trials = 50000, .largest_n = 30, .zeros = 100000,
                                   .expansions = 1000, .wide = 1000});

@@ -55,11 +55,15 @@ see_six_angles(trace *self, const mesh *m, const trace_event *f)
         return 0;
     point2 a = p[f->a], b = p[f->b], c = p[f->c], d = p[f->d];
     /* With the names of Figure 11. Old: in abc and in bad. */
-    angle alpha1 = angle_at(a, b, c), beta1 = angle_at(b, a, c), gamma = angle_at(c, a, b);
-    angle alpha2 = angle_at(a, b, d), beta2 = angle_at(b, a, d), delta = angle_at(d, a, b);
+    angle alpha1 = angle_at(a, b, c), beta1 = angle_at(b, a, c),
+          gamma = angle_at(c, a, b);
+    angle alpha2 = angle_at(a, b, d), beta2 = angle_at(b, a, d),
+          delta = angle_at(d, a, b);
     /* New: in cdb and in dca. */
-    angle gamma1 = angle_at(c, b, d), delta1 = angle_at(d, b, c), beta = angle_at(b, c, d);
-    angle gamma2 = angle_at(c, a, d), delta2 = angle_at(d, a, c), alpha = angle_at(a, c, d);
+    angle gamma1 = angle_at(c, b, d), delta1 = angle_at(d, b, c),
+          beta = angle_at(b, c, d);
+    angle gamma2 = angle_at(c, a, d), delta2 = angle_at(d, a, c),
+          alpha = angle_at(a, c, d);
     CLAIM("thm4.P1", at_least(gamma1, alpha2), "gamma1 < alpha2 when %u %u is flipped",
           f->a, f->b);
     CLAIM("thm4.P1", at_least(delta1, alpha1), "delta1 < alpha1 at %u %u", f->a, f->b);
@@ -114,8 +118,10 @@ flip_watched(mesh *m, watcher *w)
 static void
 no_flip_makes_a_smaller_angle(const point2 *drawn, uint32_t n)
 {
-    point2 *points = whole_points(drawn, n, random_below(test_random_source(), 2) ? 1000 : 12);
-    watcher angles = {{see_six_angles}, points}, surface = {{see_the_surface_sink}, points};
+    point2 *points = whole_points(drawn, n,
+                                  random_below(test_random_source(), 2) ? 1000 : 12);
+    watcher angles = {{see_six_angles}, points},
+            surface = {{see_the_surface_sink}, points};
     for (int which = 0; which < 2; which++) {
         mesh m;
         random_triangulation(points, n, &m);
@@ -123,7 +129,8 @@ no_flip_makes_a_smaller_angle(const point2 *drawn, uint32_t n)
         flip_watched(&m, which == 0 ? &angles : &surface);
         angle after = minimum_angle(&m, points);
         mesh_free(&m);
-        CLAIM("thm4.P3", at_least(after, before), "the minimum angle was larger before");
+        CLAIM("thm4.P3", at_least(after, before),
+              "the minimum angle was larger before");
     }
     free(points);
 }
@@ -141,12 +148,14 @@ e39_ties_share_the_minimum(const point2 *points, uint32_t n)
         halfedge_id e = random_below(test_random_source(), mesh_halfedges(&m));
         if (!mesh_is_interior(&m, e) || !is_flippable(&m, points, e) ||
             incircle(points[mesh_origin(&m, e)], points[mesh_dest(&m, e)],
-                     points[mesh_apex(&m, e)], points[mesh_apex(&m, mesh_twin(&m, e))]) != 0)
+                     points[mesh_apex(&m, e)],
+                     points[mesh_apex(&m, mesh_twin(&m, e))]) != 0)
             continue;
         flip(&m, e);
         ties++;
         angle now = minimum_angle(&m, points);
-        CLAIM("E39", at_least(now, least) && at_least(least, now), "after %u ties", ties);
+        CLAIM("E39", at_least(now, least) && at_least(least, now), "after %u ties",
+              ties);
     }
     mesh_free(&m);
     CLAIM("E39", ties > 100, "only %u ties", ties);
@@ -157,7 +166,8 @@ main(int argc, char **argv)
 {
     const point2 circle[] = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-5, 0}, {0, -5}};
     test_begin(argc, argv, "Theorem 4: Delaunay maximises the minimum angle");
-    test_random("no flip makes a smaller angle", no_flip_makes_a_smaller_angle, 4000, 40);
+    test_random("no flip makes a smaller angle", no_flip_makes_a_smaller_angle, 4000,
+                40);
     test_points("E39: ties share the minimum", e39_ties_share_the_minimum, circle, 6);
     return test_end((test_minima){.trials = 4000, .largest_n = 30, .zeros = 1000});
 }

@@ -89,7 +89,8 @@ the_curve_runs_through_one_side_before_the_other(const point2 *points, uint32_t 
     uint32_t count;
     vertex_id L[MOST];
     HYPOTHESIS(n <= MOST);
-    CLAIM("biased.P1", along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
+    CLAIM("biased.P1",
+          along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
           "out of memory");
     CLAIM("biased.P1", is_each_location_once(points, n, L, count),
           "the %u points are not the distinct locations", count);
@@ -108,7 +109,8 @@ the_curve_comes_to_an_end(void)
     points[n / 3] = (point2){1, 0};
     points[n / 2] = (point2){-0x1p-1074, 0};
     points[n - 1] = (point2){0, 1e308};
-    CLAIM("biased.P1", along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
+    CLAIM("biased.P1",
+          along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
           "out of memory");
     CLAIM("biased.P1", is_each_location_once(points, n, L, count) && count == 4,
           "%u locations", count);
@@ -123,7 +125,8 @@ length_along_curve(const point2 *points, uint32_t n)
 {
     uint32_t count;
     vertex_id *L = malloc(n * sizeof *L);
-    CLAIM("biased.P2", along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
+    CLAIM("biased.P2",
+          along_curve(points, n, test_random_source(), L, &count) == TRI_OK,
           "out of memory");
     double length = 0;
     for (uint32_t i = 1; i < count; i++)

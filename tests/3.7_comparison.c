@@ -89,12 +89,15 @@ the_table_counts_what_is_asked(void)
     while (next_line(counts, &today)) {
         if (!find(today.name, today.of, today.n, &l))
             continue;
-        CLAIM("sec3.7.P14", is_as_counted(l.name, l.orient2d, today.orient2d) &&
-              is_as_counted(l.name, l.incircle, today.incircle) &&
-              is_as_counted(l.name, l.compare_along, today.compare_along),
-              "%s, %lu points, %s: run make compare: counted are %.3f %.3f %.3f, in the "
-              "table are %.3f %.3f %.3f", l.of, l.n, l.name, today.compare_along,
-              today.orient2d, today.incircle, l.compare_along, l.orient2d, l.incircle);
+        CLAIM(
+            "sec3.7.P14",
+            is_as_counted(l.name, l.orient2d, today.orient2d) &&
+                is_as_counted(l.name, l.incircle, today.incircle) &&
+                is_as_counted(l.name, l.compare_along, today.compare_along),
+            "%s, %lu points, %s: run make compare: counted are %.3f %.3f %.3f, in the "
+            "table are %.3f %.3f %.3f",
+            l.of, l.n, l.name, today.compare_along, today.orient2d, today.incircle,
+            l.compare_along, l.orient2d, l.incircle);
         lines++;
     }
     fclose(counts);
@@ -122,7 +125,8 @@ how_they_grow(void)
           orient, circle);
     line small = asked("alternating", "uniform", MANY),
          grid = asked("bucketed", "uniform", MANY);
-    CLAIM("sec3.7.P15", small.orient2d < grid.orient2d && small.incircle < grid.incircle,
+    CLAIM("sec3.7.P15",
+          small.orient2d < grid.orient2d && small.incircle < grid.incircle,
           "alternating cuts ask %.2f and %.2f, the grid %.2f and %.2f", small.orient2d,
           small.incircle, grid.orient2d, grid.incircle);
 }
@@ -134,8 +138,10 @@ where_they_go(void)
     line few = asked("walk", "uniform", FEW), many = asked("walk", "uniform", MANY),
          grid = asked("bucketed", "uniform", MANY);
     double factor = many.orient2d / few.orient2d; /* 2^(5/2) = 5.66 */
-    CLAIM("sec3.7.P16", factor > 5 && factor < 6.3, "32 times the points, %.2f times the "
-          "orientation tests", factor);
+    CLAIM("sec3.7.P16", factor > 5 && factor < 6.3,
+          "32 times the points, %.2f times the "
+          "orientation tests",
+          factor);
     CLAIM("sec3.7.P16", many.incircle == grid.incircle, "%.4f and %.4f incircle tests",
           many.incircle, grid.incircle);
     CLAIM("sec3.7.P16", many.orient2d > 0.95 * (many.orient2d + many.incircle),
@@ -146,8 +152,8 @@ where_they_go(void)
 static void
 what_defeats_them(void)
 {
-    static const char *const of[] = {"uniform", "normal", "clusters", "kuzmin", "circle",
-                                     "near-line"};
+    static const char *const of[] = {"uniform", "normal", "clusters",
+                                     "kuzmin",  "circle", "near-line"};
     for (int i = 0; i < 5; i++) {
         double d = determinants("alternating", of[i], MANY);
         CLAIM("sec3.7.P17", d < 21, "alternating cuts, %s: %.2f tests", of[i], d);
@@ -162,8 +168,10 @@ what_defeats_them(void)
           "walking", grid, walk);
     double vertical = determinants("divide", "near-line", MANY),
            alternating = determinants("alternating", "near-line", MANY);
-    CLAIM("sec3.7.P17", 4 * vertical < alternating, "near a line: %.2f tests with vertical "
-          "cuts, %.2f with alternating ones", vertical, alternating);
+    CLAIM("sec3.7.P17", 4 * vertical < alternating,
+          "near a line: %.2f tests with vertical "
+          "cuts, %.2f with alternating ones",
+          vertical, alternating);
 }
 
 static bool
@@ -188,11 +196,15 @@ the_page_says_the_same(void)
         unsigned long n;
         if (sscanf(text, "| %lu | %lf | %lf | %lf | %lf |", &n, &orient, &circle,
                    &turning[0], &turning[1]) == 5) {
-            line v = asked("divide", "uniform", n), a = asked("alternating", "uniform", n);
-            CLAIM("sec3.7.P14", is_rounded(orient, v.orient2d) &&
-                  is_rounded(circle, v.incircle) && is_rounded(turning[0], a.orient2d) &&
-                  is_rounded(turning[1], a.incircle), "counted for %lu points are %.1f "
-                  "%.1f %.1f %.1f", n, v.orient2d, v.incircle, a.orient2d, a.incircle);
+            line v = asked("divide", "uniform", n),
+                 a = asked("alternating", "uniform", n);
+            CLAIM("sec3.7.P14",
+                  is_rounded(orient, v.orient2d) && is_rounded(circle, v.incircle) &&
+                      is_rounded(turning[0], a.orient2d) &&
+                      is_rounded(turning[1], a.incircle),
+                  "counted for %lu points are %.1f "
+                  "%.1f %.1f %.1f",
+                  n, v.orient2d, v.incircle, a.orient2d, a.incircle);
             sizes++;
         }
         if (sscanf(text, "| %19[a-z_] | uniform | %lf | %lf | %lf |", name, &along,

@@ -38,7 +38,8 @@ resizing_keeps_what_was_there(void)
         void *none = memory_resize(array, SIZE_MAX / 2, 4);
         CLAIM("memory_resize", none == NULL, "room for half of all addresses");
         unsigned char *resized = memory_resize(array, after, 1);
-        CLAIM("memory_resize", resized != NULL, "no room for %u bytes", (unsigned)after);
+        CLAIM("memory_resize", resized != NULL, "no room for %u bytes",
+              (unsigned)after);
         for (uint32_t k = 0; k < before && k < after; k++)
             CLAIM("memory_resize", resized[k] == k, "byte %u has changed", (unsigned)k);
         memory_free(resized);

@@ -24,7 +24,8 @@ expect_refuted(const mesh *m, const char *damage)
 {
     verdict v = mesh_check(m);
     CLAIM("mesh_check", !v.holds, "it holds after damage to %s", damage);
-    CLAIM("mesh_check", strlen(v.because) > 10, "no sentence after damage to %s", damage);
+    CLAIM("mesh_check", strlen(v.because) > 10, "no sentence after damage to %s",
+          damage);
     for (int i = 0; i < v.witnesses; i++)
         CLAIM("mesh_check", v.witness[i] < m->points, "witness %u is no point",
               (unsigned)v.witness[i]);
@@ -38,7 +39,8 @@ another(uint32_t present, uint32_t below)
     const uint32_t choice[4] = {present + 1, present - 1, NONE, random_below(r, below)};
     uint32_t number;
     do
-        number = random_below(r, 2) == 0 ? random_below(r, below) : choice[random_below(r, 4)];
+        number = random_below(r, 2) == 0 ? random_below(r, below)
+                                         : choice[random_below(r, 4)];
     while (number == present);
     return number;
 }

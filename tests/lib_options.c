@@ -107,8 +107,8 @@ wrong_arithmetic_is_refused(void)
         tri_options used;
         tri_status status = tri_accept(NULL, 0, NULL, &used);
         _mm_setcsr(control);
-        CLAIM("tri_accept", status == TRI_BAD_FP_ENVIRONMENT, "subnormals are flushed: %s",
-              tri_status_text(status));
+        CLAIM("tri_accept", status == TRI_BAD_FP_ENVIRONMENT,
+              "subnormals are flushed: %s", tri_status_text(status));
     }
 #endif
     expect(TRI_OK, NULL, 0, NULL);
@@ -119,7 +119,8 @@ main(int argc, char **argv)
 {
     test_begin(argc, argv, "lib/options: what every algorithm refuses");
     test_random("finite points are accepted", finite_points_are_accepted, 500, 50);
-    test_near_degenerate("finite points are accepted", finite_points_are_accepted, 500, 50);
+    test_near_degenerate("finite points are accepted", finite_points_are_accepted, 500,
+                         50);
     test_random("one bad coordinate is found", one_bad_coordinate_is_found, 1000, 50);
     test_run("bad options are refused", bad_options_are_refused);
     test_run("wrong arithmetic is refused", wrong_arithmetic_is_refused);

@@ -22,7 +22,8 @@ the_published_answers_come(void)
         CLAIM("random_from_seed", source.state[i] == splitmix_of_0[i], "word %d", i);
     source = (random_source){{1, 2, 3, 4}};
     for (int i = 0; i < 6; i++)
-        CLAIM("random_bits", random_bits(&source) == xoshiro_of_1234[i], "answer %d", i);
+        CLAIM("random_bits", random_bits(&source) == xoshiro_of_1234[i], "answer %d",
+              i);
 }
 
 /* Pearson's chi-square over `below` values; it has about below-1 on average, and
@@ -97,7 +98,8 @@ a_seed_names_one_sequence(void)
             CLAIM("random_from_seed", bits == random_bits(&same), "answer %d", k);
             differ += bits != random_bits(&other);
         }
-        CLAIM("random_from_seed", differ >= 9, "the next seed repeats %d of 10", 10 - differ);
+        CLAIM("random_from_seed", differ >= 9, "the next seed repeats %d of 10",
+              10 - differ);
     }
 }
 

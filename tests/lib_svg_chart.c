@@ -57,8 +57,10 @@ other_tables_are_refused(void)
     CLAIM("chart.read", read_text(table, "c", true, &c) == TRI_BAD_FILE &&
           c.point == NULL, "there is no column c");
     CLAIM("chart.read", read_text("", "a", true, &c) == TRI_BAD_FILE, "an empty file");
-    CLAIM("chart.read", read_text("of,n,who,a\nwith a name of twenty,1,x,1\n", "a", true,
-                                  &c) == TRI_BAD_FILE && c.point == NULL,
+    CLAIM("chart.read",
+          read_text("of,n,who,a\nwith a name of twenty,1,x,1\n", "a", true, &c) ==
+                  TRI_BAD_FILE &&
+              c.point == NULL,
           "a name that does not fit was accepted");
     tri_status status = TRI_OUT_OF_MEMORY;
     for (unsigned long k = 1; status != TRI_OK; k++) {

@@ -98,8 +98,10 @@ check_bytes(const text *t, const point2 *points, uint32_t n)
 {
     static const unsigned char header[12] = {0x89, 0x54, 0x52, 0x49, 0x0D, 0x0A,
                                              0x1A, 0x0A, 1,    0,    0,    0};
-    CLAIM("binary.bytes", t->size == 16 + 16 * (size_t)n &&
-          memcmp(t->bytes, header, sizeof header) == 0, "%u points: %zu bytes", n, t->size);
+    CLAIM("binary.bytes",
+          t->size == 16 + 16 * (size_t)n &&
+              memcmp(t->bytes, header, sizeof header) == 0,
+          "%u points: %zu bytes", n, t->size);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 16; k++) {
             uint64_t bits;
@@ -138,10 +140,12 @@ bits_survive(const point2 *points, uint32_t n)
           read.count == 0, "without memory: status %d", (int)status);
 
     size_t shorter = 8 + random_below(test_random_source(), (uint32_t)t.size - 8);
-    CLAIM("binary.cut", read_binary(&t, shorter, &read, &error) == TRI_BAD_FILE &&
-          read.points == NULL && read.count == 0 && error.line == 0 &&
-          strncmp(error.text, "binary points", 13) == 0,
-          "%zu of %zu bytes are read, or refused with: %s", shorter, t.size, error.text);
+    CLAIM("binary.cut",
+          read_binary(&t, shorter, &read, &error) == TRI_BAD_FILE &&
+              read.points == NULL && read.count == 0 && error.line == 0 &&
+              strncmp(error.text, "binary points", 13) == 0,
+          "%zu of %zu bytes are read, or refused with: %s", shorter, t.size,
+          error.text);
     free(t.bytes);
 }
 

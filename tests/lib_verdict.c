@@ -15,8 +15,10 @@ sentences_and_witnesses_are_kept(void)
     CLAIM("verdict_holds", verdict_holds().holds, "it does not");
     CLAIM("verdict_holds", verdict_holds().witnesses == 0, "with witnesses");
     verdict v = verdict_refuted("triangle %d of %d", 3, 7);
-    CLAIM("verdict_refuted", !v.holds && v.witnesses == 0, "it holds, or has witnesses");
-    CLAIM("verdict_refuted", strcmp(v.because, "triangle 3 of 7") == 0, "%s", v.because);
+    CLAIM("verdict_refuted", !v.holds && v.witnesses == 0,
+          "it holds, or has witnesses");
+    CLAIM("verdict_refuted", strcmp(v.because, "triangle 3 of 7") == 0, "%s",
+          v.because);
     for (int i = 0; i < 6; i++) {
         v = verdict_with(v, (vertex_id)(10 + i));
         int expected = i < 4 ? i + 1 : 4; /* a fifth is dropped */
@@ -49,7 +51,8 @@ each_status_has_its_own_sentence(void)
         CLAIM("tri_status_text", strlen(text) > 5 && text[strlen(text) - 1] != '.',
               "status %d: \"%s\"", s, text);
         for (int other = TRI_OK; other < s; other++)
-            CLAIM("tri_status_text", strcmp(text, tri_status_text((tri_status)other)) != 0,
+            CLAIM("tri_status_text",
+                  strcmp(text, tri_status_text((tri_status)other)) != 0,
                   "%d and %d say the same", s, other);
     }
     CLAIM("tri_status_text", tri_status_text((tri_status)99) != NULL, "99 has none");

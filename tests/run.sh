@@ -62,7 +62,8 @@ run_one() {
     seconds=$(($(date +%s) - begin))
     cat "$result.stderr" >&2
     said=$(claims_in "tests/$name.c" | awk -v name_of_test="$name" \
-        -v status="$status" -v seconds="$seconds" "$summary" reading=claims - reading=output "$result.tap")
+        -v status="$status" -v seconds="$seconds" "$summary" \
+        reading=claims - reading=output "$result.tap")
     printf '%s\n' "$said" | sed -n 's/^= //p' >"$result.count"
     printf '%s\n' "$said" | sed '/^= /d'
 }

@@ -93,7 +93,8 @@ is_listed(simplex_list list, simplex s)
 tri_status
 simplex_closure(simplex_list list, simplex_list *out)
 {
-    *out = (simplex_list){.simplex = memory_array(list.count, 16 * sizeof *out->simplex)};
+    *out = (simplex_list){
+        .simplex = memory_array(list.count, 16 * sizeof *out->simplex)};
     if (out->simplex == NULL)
         return TRI_OUT_OF_MEMORY;
     for (uint32_t i = 0; i < list.count; i++) {
@@ -205,8 +206,9 @@ check_simplex(const point2 *points, uint32_t n, simplex_list list, uint32_t i)
     uint32_t faces = simplex_faces(s, face);
     for (uint32_t j = 1; j < faces; j++)
         if (!is_listed(list, face[j]))
-            return with_vertices(verdict_refuted("a face of dimension %d of simplex %u "
-                                 "is missing", face[j].dimension, (unsigned)i), face[j]);
+            return with_vertices(
+                verdict_refuted("a face of dimension %d of simplex %u is missing",
+                                face[j].dimension, (unsigned)i), face[j]);
     return verdict_holds();
 }
 
@@ -216,8 +218,9 @@ static verdict
 check_pair(const point2 *points, simplex s, simplex t)
 {
     if (s.dimension == t.dimension && simplex_is_face(s, t))
-        return with_vertices(verdict_refuted("a simplex of dimension %d is listed twice",
-                                             s.dimension), s);
+        return with_vertices(
+            verdict_refuted("a simplex of dimension %d is listed twice", s.dimension),
+            s);
     if (s.dimension == 0 && inside_simplex(points, t, points[s.vertex[0]]))
         return with_vertices(with_vertices(verdict_refuted("vertex %u lies inside a "
                              "simplex of dimension %d", (unsigned)s.vertex[0],

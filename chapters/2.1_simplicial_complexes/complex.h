@@ -90,4 +90,11 @@ verdict is_complex(const point2 *points, uint32_t n, simplex_list list);
 tri_status is_triangulation(const point2 *points, uint32_t n, triangle_list list,
                             verdict *out);
 
+/* The same, for those who go on from triangle to triangle: if it holds, *twin is what
+ * triangle_list_twins says of the list. The caller frees it by memory_free, whatever
+ * the answer is. */
+tri_status is_triangulation_with_twins(const point2 *points, uint32_t n,
+                                       triangle_list list, verdict *out,
+                                       halfedge_id **twin);
+
 #endif

@@ -122,9 +122,9 @@ check_turn(const audit *a, vertex_id u, vertex_id v, vertex_id w)
                              compare_along(lexicographic, q, r);
     if (turn > 0 || (turn == 0 && !back))
         return verdict_holds();
-    verdict refuted = verdict_refuted("the boundary turns %s at vertex %u, from %u to %u: "
-        "it is not the convex hull", back ? "back" : "right", (unsigned)v, (unsigned)u,
-        (unsigned)w);
+    verdict refuted = verdict_refuted(
+        "the boundary turns %s at vertex %u, from %u to %u: it is not the convex hull",
+        back ? "back" : "right", (unsigned)v, (unsigned)u, (unsigned)w);
     return verdict_with(verdict_with(verdict_with(refuted, v), u), w);
 }
 
@@ -151,9 +151,10 @@ check_boundary(const audit *a, uint32_t boundary)
         u = v;
     } while (u != start);
     if (length != boundary)
-        return verdict_with(verdict_refuted("the boundary is more than one cycle: %u of "
-            "its %u edges are reached from vertex %u", (unsigned)length,
-            (unsigned)boundary, (unsigned)start), start);
+        return verdict_with(
+            verdict_refuted("the boundary is more than one cycle: %u of its %u edges "
+                            "are reached from vertex %u", (unsigned)length,
+                            (unsigned)boundary, (unsigned)start), start);
     if (maxima != 1)
         return verdict_with(verdict_refuted("the boundary runs %u times around",
                                             (unsigned)maxima), start);
@@ -168,7 +169,8 @@ check_all(const audit *a)
     if (a->list.count == 0) {
         if (affine_dimension(a->points, a->n) < 2)
             return verdict_holds();
-        return verdict_refuted("there is no triangle, and the points are not collinear");
+        return verdict_refuted(
+            "there is no triangle, and the points are not collinear");
     }
     uint32_t boundary = 0;
     verdict v = check_triangles(a);
@@ -182,7 +184,8 @@ check_all(const audit *a)
 }
 
 tri_status
-is_triangulation(const point2 *points, uint32_t n, triangle_list list, verdict *out)
+is_triangulation_with_twins(const point2 *points, uint32_t n, triangle_list list,
+                            verdict *out, halfedge_id **twin)
 {
     audit a = {.points = points, .n = n, .list = list};
     a.used = memory_array(n, sizeof *a.used);
@@ -201,7 +204,16 @@ is_triangulation(const point2 *points, uint32_t n, triangle_list list, verdict *
     }
     memory_free(a.used);
     memory_free(a.item);
-    memory_free(a.twin);
     memory_free(a.next);
+    *twin = a.twin;
+    return status;
+}
+
+tri_status
+is_triangulation(const point2 *points, uint32_t n, triangle_list list, verdict *out)
+{
+    halfedge_id *twin;
+    tri_status status = is_triangulation_with_twins(points, n, list, out, &twin);
+    memory_free(twin);
     return status;
 }

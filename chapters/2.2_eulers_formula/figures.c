@@ -17,7 +17,8 @@ middle(point2 a, point2 b)
 static svg_box
 wider(svg_box box, double by)
 {
-    return (svg_box){{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+    return (svg_box){{box.min.x - by, box.min.y - by},
+                     {box.max.x + by, box.max.y + by}};
 }
 
 /* The cubic curve from a to b that sets out towards c and arrives from d. */
@@ -104,7 +105,8 @@ make_trees(void)
 {
     two_trees t;
     mesh m;
-    must(lawson_triangulate(trees_points, TREES_POINTS, NULL, &m), "lawson_triangulate");
+    must(lawson_triangulate(trees_points, TREES_POINTS, NULL, &m),
+         "lawson_triangulate");
     must(graph_from_mesh(&m, &t.g), "graph_from_mesh");
     must(tree_and_cotree(&t.g, t.part), "tree_and_cotree");
     graph_trace_faces(&t.g, t.left);
@@ -190,19 +192,21 @@ draw_trees(FILE *file)
     svg_box box = wider(t.frame, 0.2);
     char caption[96];
     svg page;
-    svg_begin(&page, file, (svg_layout){3, 1, 270, 230, 2}, "Figure 2, executed",
-              "Left, a triangulation of thirteen points with a spanning tree of thick "
-              "edges. Middle, the dual edges that cross the other edges; they join a dot "
-              "in each triangle to each other and to the frame, which stands for the outer "
-              "face. Right, both: the trees wind around each other and never cross.");
+    svg_begin(
+        &page, file, (svg_layout){3, 1, 270, 230, 2}, "Figure 2, executed",
+        "Left, a triangulation of thirteen points with a spanning tree of thick "
+        "edges. Middle, the dual edges that cross the other edges; they join a dot "
+        "in each triangle to each other and to the frame, which stands for the outer "
+        "face. Right, both: the trees wind around each other and never cross.");
     snprintf(caption, sizeof caption, "T: %u vertices,\n%u edges", (unsigned)c.v,
              (unsigned)tree);
     svg_panel(&page, box, TREES_POINTS, caption);
     draw_edges(&page, &t.g, trees_points, SVG_PLAIN);
     draw_tree(&page, &t);
 
-    snprintf(caption, sizeof caption, "(G-T)*: %u faces, the frame\none of them, %u edges",
-             (unsigned)c.f, (unsigned)cotree);
+    snprintf(caption, sizeof caption,
+             "(G-T)*: %u faces, the frame\none of them, %u edges", (unsigned)c.f,
+             (unsigned)cotree);
     svg_panel(&page, box, TREES_POINTS, caption);
     draw_edges(&page, &t.g, trees_points, SVG_FAINT);
     draw_cotree(&page, &t);
@@ -245,10 +249,11 @@ draw_walks(FILE *file)
     svg_box box = wider(svg_box_of(points, 6), 0.6);
     char caption[96];
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 380, 230, 1}, "Faces are walks",
-              "A quadrilateral with one dead end inside and one outside. Left, the walk "
-              "around the inner face; right, the walk around the outer face. Each walk "
-              "passes its dead end on both sides.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 380, 230, 1}, "Faces are walks",
+        "A quadrilateral with one dead end inside and one outside. Left, the walk "
+        "around the inner face; right, the walk around the outer face. Each walk "
+        "passes its dead end on both sides.");
     svg_panel(&page, box, 6, "the inner face on one's left: 6 steps");
     draw_edges(&page, &g, points, SVG_PLAIN);
     draw_walk(&page, &g, points, inside, SVG_NEW);
@@ -292,8 +297,8 @@ draw_complete(FILE *file)
     svg_points(&page, points, 4, SVG_PLAIN);
     svg_label_points(&page, points, 4);
 
-    snprintf(caption, sizeof caption, "K5 but one edge: e = %u = 3v-6,\nand 2 4 must cross",
-             (unsigned)c5.e);
+    snprintf(caption, sizeof caption,
+             "K5 but one edge: e = %u = 3v-6,\nand 2 4 must cross", (unsigned)c5.e);
     svg_panel(&page, wider(svg_box_of(points, 5), 0.4), 5, caption);
     svg_segment(&page, points[2], points[4], SVG_BAD);
     draw_edges(&page, &k5, points, SVG_PLAIN);
@@ -313,10 +318,12 @@ draw_duals(FILE *file)
     const point2 triangle[] = {{0, 0}, {3, 0}, {1.5, 2.6}}, inner = {1.5, 0.9};
     const point2 outer3 = {4.6, 1.3};
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 330, 240, 2}, "Duals with loops and "
-              "parallel edges", "Left, a single edge has the same face on both sides: the "
-              "dual is one vertex with a loop. Right, the two faces of a triangle share "
-              "three edges: the dual is two vertices with three parallel edges.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 330, 240, 2},
+        "Duals with loops and parallel edges",
+        "Left, a single edge has the same face on both sides: the "
+        "dual is one vertex with a loop. Right, the two faces of a triangle share "
+        "three edges: the dual is two vertices with three parallel edges.");
     svg_panel(&page, (svg_box){{-0.7, -1.6}, {5, 2.1}}, 4,
               "K2: one face, and the dual edge\nis a loop");
     svg_segment(&page, k2[0], k2[1], SVG_STRONG);
@@ -352,8 +359,9 @@ draw_maximal(FILE *file)
     svg_begin(&page, file, (svg_layout){2, 1, 280, 240, 2}, "Maximal, but not maximal "
               "planar", "Left, a square with one diagonal: the other diagonal crosses "
               "it. Right, the same two vertices joined by a curve around the outside.");
-    snprintf(caption, sizeof caption, "e = %u, h = %u, and no other\nstraight edge fits",
-             (unsigned)c.e, (unsigned)c.h);
+    snprintf(caption, sizeof caption,
+             "e = %u, h = %u, and no other\nstraight edge fits", (unsigned)c.e,
+             (unsigned)c.h);
     svg_panel(&page, box, 4, caption);
     svg_segment(&page, square[1], square[3], SVG_BAD);
     draw_edges(&page, &g, square, SVG_PLAIN);

@@ -133,13 +133,11 @@ check_vertices(const point2 *points, uint32_t n, const voronoi *d, verdict *out)
     size_t most = d->vertex_first[d->vertices]; /* more than triangles */
     triangle_list fans = {0, memory_array(most, sizeof *fans.corner)};
     uint32_t *vertex_of = memory_array(most, sizeof *vertex_of);
-    halfedge_id *twin = memory_array(most, 3 * sizeof *twin), repeated;
+    halfedge_id *twin = NULL;
     tri_status status = TRI_OUT_OF_MEMORY;
-    if (fans.corner != NULL && vertex_of != NULL && twin != NULL) {
+    if (fans.corner != NULL && vertex_of != NULL) {
         make_fans(d, &fans, vertex_of);
-        status = is_triangulation(points, n, fans, out);
-        if (status == TRI_OK && out->holds)
-            status = triangle_list_twins(fans, twin, &repeated);
+        status = is_triangulation_with_twins(points, n, fans, out, &twin);
         if (status == TRI_OK && out->holds)
             *out = check_circles(points, fans, twin, vertex_of);
     }

@@ -1,8 +1,8 @@
 /* voronoi.h - who is nearest to what: regions, the diagram, and its dual.
  *
  * Notes: section 3.1, Definitions 5 and 6. Needs: 3.4 (orient2d, incircle,
- * compare_distance), a Delaunay triangulation from whoever calls, 2.1 and 2.3
- * for the check, lib/mesh.h. Exercises: 3.1-a to 3.1-c.
+ * compare_along, compare_distance), a Delaunay triangulation from whoever calls,
+ * 2.1 and 2.3 for the check, lib/mesh.h. Exercises: 3.1-a to 3.1-c.
  *
  * A Voronoi vertex is the centre of a circle through at least three sites, so
  * it is named by these sites, and all questions about it are asked of them. Its
@@ -109,7 +109,8 @@ bool voronoi_is_bounded(const voronoi *d, vertex_id p);
  *      these polygons, each corner is met once, each edge has its two cells;
  *   4. of collinear sites, the edges are lines between neighbours on their line
  * (page 3.1, sec3.1.P11: that is enough). Refuted: the sites to look at.
- * Cost: O(n log n). TRI_OUT_OF_MEMORY: *out says nothing. */
+ * Cost: O(n), and O(k^2) for each vertex of k sites; of collinear sites O(n log n).
+ * TRI_OUT_OF_MEMORY: *out says nothing. */
 tri_status is_voronoi(const point2 *points, uint32_t n, const voronoi *d,
                       verdict *out);
 

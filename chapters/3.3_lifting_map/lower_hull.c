@@ -273,18 +273,11 @@ check_edges_convex(const point2 *points, triangle_list list,
 }
 
 tri_status
-is_lower_hull(const point2 *points, uint32_t n, triangle_list list,
-              verdict *out)
+is_lower_hull(const point2 *points, uint32_t n, triangle_list list, verdict *out)
 {
-    tri_status status = is_triangulation(points, n, list, out);
-    if (status != TRI_OK || !out->holds)
-        return status;
-    halfedge_id *twin = memory_array(list.count, 3 * sizeof *twin);
-    if (twin == NULL)
-        return TRI_OUT_OF_MEMORY;
-    halfedge_id repeated;
-    status = triangle_list_twins(list, twin, &repeated);
-    if (status == TRI_OK)
+    halfedge_id *twin;
+    tri_status status = is_triangulation_with_twins(points, n, list, out, &twin);
+    if (status == TRI_OK && out->holds)
         *out = check_edges_convex(points, list, twin);
     memory_free(twin);
     return status;

@@ -176,8 +176,9 @@ check_local_delaunay(const point2 *points, triangle_list list, const halfedge_id
         vertex_id c = side_apex(list, ab), d = side_apex(list, ba);
         if (incircle(points[a], points[b], points[c], points[d]) <= 0)
             continue;
-        verdict v = verdict_refuted("edge %u %u is not locally Delaunay: %u lies inside "
-            "the circle of %u, %u, %u", (unsigned)a, (unsigned)b, (unsigned)d, (unsigned)a,
+        verdict v = verdict_refuted(
+            "edge %u %u is not locally Delaunay: %u lies inside the circle of "
+            "%u, %u, %u", (unsigned)a, (unsigned)b, (unsigned)d, (unsigned)a,
             (unsigned)b, (unsigned)c);
         return verdict_with(verdict_with(verdict_with(verdict_with(v, a), b), c), d);
     }
@@ -187,15 +188,9 @@ check_local_delaunay(const point2 *points, triangle_list list, const halfedge_id
 tri_status
 is_delaunay(const point2 *points, uint32_t n, triangle_list list, verdict *out)
 {
-    tri_status status = is_triangulation(points, n, list, out);
-    if (status != TRI_OK || !out->holds)
-        return status;
-    halfedge_id *twin = memory_array(list.count, 3 * sizeof *twin);
-    if (twin == NULL)
-        return TRI_OUT_OF_MEMORY;
-    halfedge_id repeated;
-    status = triangle_list_twins(list, twin, &repeated);
-    if (status == TRI_OK)
+    halfedge_id *twin;
+    tri_status status = is_triangulation_with_twins(points, n, list, out, &twin);
+    if (status == TRI_OK && out->holds)
         *out = check_local_delaunay(points, list, twin);
     memory_free(twin);
     return status;

@@ -14,7 +14,7 @@
 /* A triangle of some time. */
 typedef struct history_node {
     uint32_t children; /* 0: it is there today; 2 or 3: they have taken its place */
-    uint32_t child[3]; /* nodes; if there are none, child[0] is its number in the mesh */
+    uint32_t child[3]; /* nodes; if none, child[0] is its number in the mesh */
     vertex_id at;      /* the corner that the children have in common */
     vertex_id ray[3];  /* 3 children: as in goes_between; 2: w and right of goes_left */
 } history_node;

@@ -149,7 +149,8 @@ draw_merge(FILE *file, const point2 *points, uint32_t n, uint32_t columns,
     uint32_t panels = 2 + counter.flips + 1;
     svg page;
     uint32_t rows = (panels + columns - 1) / columns;
-    svg_begin(&page, file, (svg_layout){columns, rows, 230, 230, 1}, title, description);
+    svg_begin(&page, file, (svg_layout){columns, rows, 230, 230, 1}, title,
+              description);
     merge_painter painter = {.base = {paint}, .page = &page, .points = points, .n = n};
     triangulate_watched(points, n, &painter.base, &m);
     panel(&painter, "Step 5: the upper tangent");
@@ -163,13 +164,15 @@ draw_merge(FILE *file, const point2 *points, uint32_t n, uint32_t columns,
 static void
 draw_steps(FILE *file)
 {
-    const point2 points[] = {{0.0, 2.0}, {4.0, 4.0}, {0.8, 7.5}, {2.0, 4.7}, {2.7, 1.3},
-                             {5.8, 8.8}, {9.2, 5.5}, {7.2, 2.3}, {8.5, 3.5}, {8.0, 7.5}};
-    draw_merge(file, points, 10, 4, "A merge, step by step",
-               "Two Delaunay triangulations of five points each, left and right of a "
-               "vertical line. An edge rises from their lower to their upper common "
-               "tangent. In each panel it drives a triangle of the left or of the right "
-               "out, or a new triangle is put on it.");
+    const point2 points[] = {{0.0, 2.0}, {4.0, 4.0}, {0.8, 7.5}, {2.0, 4.7},
+                             {2.7, 1.3}, {5.8, 8.8}, {9.2, 5.5}, {7.2, 2.3},
+                             {8.5, 3.5}, {8.0, 7.5}};
+    draw_merge(
+        file, points, 10, 4, "A merge, step by step",
+        "Two Delaunay triangulations of five points each, left and right of a "
+        "vertical line. An edge rises from their lower to their upper common "
+        "tangent. In each panel it drives a triangle of the left or of the right "
+        "out, or a new triangle is put on it.");
 }
 
 static void
@@ -190,11 +193,11 @@ draw_e52(FILE *file)
     const point2 points[] = {{-1, 0}, {0, -9}, {0, 9}, {1, 0}, {2, -1}, {2, 1}};
     svg page;
     svg_box box = svg_box_of(points, 6);
-    svg_begin(&page, file, (svg_layout){2, 1, 280, 300, 2},
-              "A triangle that has to go",
-              "On the left one long triangle, on the right a small one. The circle of the "
-              "long triangle contains a point of the right, so it is not there after the "
-              "merge.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 280, 300, 2}, "A triangle that has to go",
+        "On the left one long triangle, on the right a small one. The circle of the "
+        "long triangle contains a point of the right, so it is not there after the "
+        "merge.");
     mesh m;
     must(divide_triangulate(points, 6, NULL, &m), "divide_triangulate");
     svg_panel(&page, box, 6, "each side is Delaunay,\nbut not with the other");
@@ -262,10 +265,11 @@ draw_cuts(FILE *file)
     for (int i = 0; i < CUT_POINTS; i++)
         points[i] = random_point(&random);
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 360, 360, 2}, "Vertical and alternating cuts",
-              "The same points, divided into sixteen parts by vertical cuts, which are "
-              "strips, and by alternating cuts, which are nearly squares. The strips have "
-              "more and longer hull edges.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 360, 360, 2}, "Vertical and alternating cuts",
+        "The same points, divided into sixteen parts by vertical cuts, which are "
+        "strips, and by alternating cuts, which are nearly squares. The strips have "
+        "more and longer hull edges.");
     for (int turn = 0; turn < 2; turn++) {
         vertex_id L[CUT_POINTS];
         for (vertex_id v = 0; v < CUT_POINTS; v++)
@@ -275,7 +279,8 @@ draw_cuts(FILE *file)
         options.trace = &counter.base;
         options.cuts = turn ? TRI_CUTS_ALTERNATING : TRI_CUTS_VERTICAL;
         mesh m;
-        must(divide_triangulate(points, CUT_POINTS, &options, &m), "divide_triangulate");
+        must(divide_triangulate(points, CUT_POINTS, &options, &m),
+             "divide_triangulate");
         mesh_free(&m);
         char caption[80];
         snprintf(caption, sizeof caption, "%s cuts\n%.1f flips per point in all merges",
@@ -309,7 +314,8 @@ draw_compared_orient2d(FILE *file)
 {
     draw_counts(file, "orient2d", "Orientation tests, compared",
                 "For six distributions, the orientation tests a point that each "
-                "algorithm asks, over the number of points.", "orientation tests a point");
+                "algorithm asks, over the number of points.",
+                "orientation tests a point");
 }
 
 static void

@@ -66,7 +66,8 @@ write_and_read_points(text_points written)
     text_write_points(m.file, written.points, written.count, written.first);
     end_writing(&m);
     must(text_parse_points("a.node", m.text, m.size, &read, &error) == TRI_OK);
-    must(read.count == written.count && (read.first == written.first || read.count == 0));
+    must(read.count == written.count &&
+         (read.first == written.first || read.count == 0));
     for (uint32_t i = 0; i < read.count; i++)
         must(same_number(read.points[i].x, written.points[i].x) &&
              same_number(read.points[i].y, written.points[i].y));

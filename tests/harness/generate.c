@@ -155,7 +155,7 @@ void
 generate_ordinary(random_source *source, point2 *points, uint32_t n)
 {
     uint32_t family = random_below(source, 16);
-    int side = 1 + (int)sqrt((double)n); /* so that about one grid point in four is met */
+    int side = 1 + (int)sqrt((double)n); /* of four grid points about one is met */
     int radius = exact_radius(source);
     uint32_t off_line = 1 + random_below(source, 3);
 

@@ -165,16 +165,22 @@ test_begin(int argc, char **argv, const char *statement)
 void
 test_random(const char *what, property *p, uint32_t trials, uint32_t most_points)
 {
-    run_test((test){.kind = ORDINARY, .what = what, .claims = p,
-                    .trials = trials * program.trials_factor, .most_points = most_points});
+    run_test((test){.kind = ORDINARY,
+                    .what = what,
+                    .claims = p,
+                    .trials = trials * program.trials_factor,
+                    .most_points = most_points});
 }
 
 void
 test_near_degenerate(const char *what, property *p, uint32_t trials,
                      uint32_t most_points)
 {
-    run_test((test){.kind = NEAR_DEGENERATE, .what = what, .claims = p,
-                    .trials = trials * program.trials_factor, .most_points = most_points});
+    run_test((test){.kind = NEAR_DEGENERATE,
+                    .what = what,
+                    .claims = p,
+                    .trials = trials * program.trials_factor,
+                    .most_points = most_points});
 }
 
 void
@@ -230,7 +236,8 @@ test_end(test_minima minima)
     bool looked = enough("trials", total->trials, minima.trials);
     looked &= enough("largest n", total->largest_n, minima.largest_n);
     looked &= enough("zeros", total->zeros, minima.zeros);
-    looked &= enough("answers by the second tier", total->expansions, minima.expansions);
+    looked &= enough("answers by the second tier", total->expansions,
+                     minima.expansions);
     looked &= enough("answers by the third tier", total->wide, minima.wide);
     printf("# outside the hypotheses: %llu\n", (unsigned long long)total->outside);
     looked &= total->outside <= total->trials / 5;
@@ -241,8 +248,9 @@ test_end(test_minima minima)
         printf("%s %u - the search has looked far enough\n", looked ? "ok" : "not ok",
                program.tests);
         if (!looked)
-            printf("#   because: a count above is below its minimum, or more than 20 %% "
-                   "of the trials are outside the hypotheses\n");
+            printf(
+                "#   because: a count above is below its minimum, or more than 20 %% "
+                "of the trials are outside the hypotheses\n");
     }
     printf("1..%u\n", program.tests);
     return tests_failed > 0;

@@ -156,7 +156,7 @@ static bool read_value(reader *r, json *value, int depth);
 static json *
 add_item(reader *r, json *value)
 {
-    if ((value->count & (value->count - 1)) == 0) { /* 0 or a power of two: it is full */
+    if ((value->count & (value->count - 1)) == 0) { /* 0, a power of two: it is full */
         size_t room = value->count == 0 ? 1 : 2 * value->count;
         json *item = realloc(value->item, room * sizeof *item);
         if (item == NULL) {

@@ -61,7 +61,8 @@ replay_begin(replay *r, const watched_run *run, const point2 *points, uint32_t n
     CLAIM("trace.setup", file != NULL, "no file can be written");
     text_write_points(file, points, n, 1);
     fclose(file);
-    int status = shell("$tri trace %s -o $d/trace.json $d/points.node 2>$d/err", run->words);
+    int status = shell("$tri trace %s -o $d/trace.json $d/points.node 2>$d/err",
+                       run->words);
     CLAIM("trace.status", status == 0, "tri trace %s: exit status %d: %s", run->words,
           status, read_scratch("err").text);
 
@@ -93,8 +94,8 @@ const char *
 step_text(const json *step, const char *name)
 {
     const json *member = json_member(step, name);
-    CLAIM("trace.json", member != NULL && member->kind == JSON_STRING, "%s is no string",
-          name);
+    CLAIM("trace.json", member != NULL && member->kind == JSON_STRING,
+          "%s is no string", name);
     return member->text;
 }
 
@@ -102,7 +103,8 @@ uint32_t
 step_count(const json *step, const char *name)
 {
     const json *list = json_member(step, name);
-    CLAIM("trace.json", list == NULL || list->kind == JSON_ARRAY, "%s is no list", name);
+    CLAIM("trace.json", list == NULL || list->kind == JSON_ARRAY, "%s is no list",
+          name);
     return list == NULL ? 0 : (uint32_t)list->count;
 }
 
@@ -144,7 +146,8 @@ edge_of(const replay *r, const json *step, const char *name, uint32_t i, vertex_
     *a = step_id(r, step, name, i, 0);
     *b = step_id(r, step, name, i, 1);
     CLAIM("trace.replay", *b != NONE && *a < *b && step_id(r, step, name, i, 2) == NONE,
-          "step %u: an edge of %s does not have two ends, the lower first", r->next, name);
+          "step %u: an edge of %s does not have two ends, the lower first", r->next,
+          name);
 }
 
 static void
@@ -155,8 +158,8 @@ change_edges(replay *r, const json *step, const char *name, bool there)
     for (uint32_t i = 0; i < step_count(step, name); i++) {
         vertex_id a, b;
         edge_of(r, step, name, i, &a, &b);
-        CLAIM("trace.replay", r->edge[a][b] != there, "step %u: %u-%u %s", r->next, a, b,
-              there ? "is there already" : "is not there");
+        CLAIM("trace.replay", r->edge[a][b] != there, "step %u: %u-%u %s", r->next, a,
+              b, there ? "is there already" : "is not there");
         CLAIM("trace.replay", r->is_vertex[a] && r->is_vertex[b],
               "step %u: an end of %u-%u is no vertex", r->next, a, b);
         r->edge[a][b] = r->edge[b][a] = there;
@@ -172,8 +175,8 @@ run_stack(replay *r, const json *step)
         CLAIM("trace.stack", r->on_stack > 0, "step %u: the stack is empty", r->next);
         const vertex_id *top = r->stack[--r->on_stack];
         CLAIM("trace.stack", top[0] == a && top[1] == b,
-              "step %u: the last edge on the stack is %u-%u, not %u-%u", r->next, top[0],
-              top[1], a, b);
+              "step %u: the last edge on the stack is %u-%u, not %u-%u", r->next,
+              top[0], top[1], a, b);
     }
     for (uint32_t i = 0; i < step_count(step, "turned"); i++) {
         const json *turned = &json_member(step, "turned")->item[i];
@@ -182,8 +185,8 @@ run_stack(replay *r, const json *step)
         uint32_t entry = (uint32_t)turned->item[0].number;
         a = id_of(r, &turned->item[1]);
         b = id_of(r, &turned->item[2]);
-        CLAIM("trace.stack", a < b, "step %u: entry %u turns to %u-%u", r->next, entry, a,
-              b);
+        CLAIM("trace.stack", a < b, "step %u: entry %u turns to %u-%u", r->next, entry,
+              a, b);
         r->stack[entry][0] = a;
         r->stack[entry][1] = b;
     }
@@ -209,8 +212,8 @@ replay_step(replay *r)
     const json *step = replay_peek(r);
     for (uint32_t i = 0; i < step_count(step, "insert"); i++) {
         vertex_id p = step_point(r, step, "insert", i);
-        CLAIM("trace.replay", !r->is_vertex[p], "step %u: %u is a vertex already", r->next,
-              p);
+        CLAIM("trace.replay", !r->is_vertex[p], "step %u: %u is a vertex already",
+              r->next, p);
         r->is_vertex[p] = true;
     }
     change_edges(r, step, "remove", false);

@@ -50,7 +50,8 @@ print_noise(FILE *to, const char *before, unsigned most_lines)
     FILE *file = copy >= 0 ? fdopen(copy, "r") : NULL;
     if (file == NULL || fseek(file, 0, SEEK_SET) != 0)
         give_up("temporary file");
-    for (unsigned i = 0; i < most_lines && fgets(text, sizeof text, file) != NULL; i++) {
+    for (unsigned i = 0; i < most_lines && fgets(text, sizeof text, file) != NULL;
+         i++) {
         text[strcspn(text, "\n")] = '\0';
         fprintf(to, "%s%s\n", before, text);
     }
@@ -176,7 +177,9 @@ report_batch(const test *t, uint32_t begin, uint32_t end, ending how)
         }
     }
     print_because(t, how);
-    printf("#   each of the trials from %u succeeds alone: one of them leaves something "
-           "behind for the next\n#   ", (unsigned)begin);
+    printf(
+        "#   each of the trials from %u succeeds alone: one of them leaves something "
+        "behind for the next\n#   ",
+        (unsigned)begin);
     print_again(t);
 }
