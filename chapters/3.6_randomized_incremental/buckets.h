@@ -32,7 +32,7 @@ triangle_id buckets_find(const buckets *b, vertex_id p);
  * among the two what waits under their numbers. Vertices wait no more.
  *
  * Cost: 1 orientation test for each point that waits there, or 2 if it is in line
- * with a path. An observer sees TRACE_MOVE for each.
+ * with a ray to infinity. An observer sees TRACE_MOVE for each.
  */
 void buckets_share(buckets *b, halfedge_id e);
 

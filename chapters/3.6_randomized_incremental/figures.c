@@ -153,7 +153,7 @@ static void
 draw_bad_order(FILE *file)
 {
     enum { n = 10 };
-    point2 points[n]; /* drawn at 1/12 of the height: not for the algorithm */
+    point2 points[n]; /* flatter than (i, i^2), with the same flips */
     for (int i = 0; i < n; i++)
         points[i] = (point2){n - i, (n - i) * (n - i) / 12.0};
     svg page;
@@ -185,7 +185,7 @@ see_outside(trace *self, const mesh *m, const trace_event *event)
     vertex_id last = w->n - 1;
     bool is_last = mesh_leaving(m, last) != NONE ||
                    (event->kind == TRACE_LOCATE && event->a == last);
-    const char *caption = event->kind == TRACE_LOCATE  ? "p is behind this edge"
+    const char *caption = event->kind == TRACE_LOCATE  ? "p sees this hull edge"
                           : event->kind == TRACE_SPLIT ? "split: p is joined to "
                                                          "infinity"
                           : event->kind == TRACE_FLIP  ? "flip: a ray becomes an "
@@ -311,7 +311,7 @@ draw_dice(FILE *file)
 {
     rational p[36];
     bool ten[36], odd[36];
-    char caption[80];
+    char caption[120];
     for (int w = 0; w < 36; w++) {
         int first = w / 6 + 1, second = w % 6 + 1;
         p[w] = rational_of(1, 36);
@@ -322,15 +322,23 @@ draw_dice(FILE *file)
     rational given = conditional_probability(S, ten, odd),
              alone = probability_of(S, ten);
     snprintf(caption, sizeof caption,
+             "small squares: the sum is 10; large: both are odd\n"
              "Pr{sum 10} = %d/%d, Pr{sum 10 | both odd} = %d/%d", (int)alone.num,
              (int)alone.den, (int)given.num, (int)given.den);
     svg page;
-    svg_begin(&page, file, (svg_layout){1, 1, 420, 400, 1}, "Figure 15: two dice",
+    svg_begin(&page, file, (svg_layout){1, 1, 420, 400, 2}, "Figure 15: two dice",
               "A grid of 36 outcomes. The nine in which both dice are odd have "
               "large squares; the "
               "three whose sum is ten have small ones. One of them is in both "
               "events.");
-    svg_panel(&page, (svg_box){{0.4, 0.4}, {6.6, 6.6}}, 36, caption);
+    svg_panel(&page, (svg_box){{-0.3, -0.3}, {6.6, 6.6}}, 36, caption);
+    for (int i = 1; i <= 6; i++) {
+        const char digit[] = {(char)('0' + i), '\0'};
+        svg_text(&page, svg_place(&page, (point2){i, 0.25}), digit, SVG_PLAIN);
+        svg_text(&page, svg_place(&page, (point2){0.25, i}), digit, SVG_PLAIN);
+    }
+    svg_text(&page, svg_place(&page, (point2){3.5, -0.15}), "first die", SVG_PLAIN);
+    svg_text(&page, svg_place(&page, (point2){0.45, 6.55}), "second die", SVG_PLAIN);
     for (int w = 0; w < 36; w++) {
         double x = w / 6 + 1, y = w % 6 + 1, r = 0.42;
         svg_box box = {{x - r, y - r}, {x + r, y + r}};
@@ -380,7 +388,7 @@ draw_walk(svg *page, const point2 *points, uint32_t n, vertex_id v, point2 p)
     m.trace = &w.base;
     straight_walk(&m, points, v, p);
     uint32_t triangles = 2 * m.locations - 2 - mesh_hull_size(&m);
-    snprintf(caption, sizeof caption, "%u of %u triangles", (unsigned)w.visits,
+    snprintf(caption, sizeof caption, "the walk visits %u of %u triangles", (unsigned)w.visits,
              (unsigned)triangles);
     svg_panel(page, svg_box_of(points, n), n, caption);
     w.page = page;
@@ -551,9 +559,9 @@ draw_biased(FILE *file)
     uint32_t begin[2] = {round_begin(L, rank, last), last}, end[2] = {last, count};
     for (int k = 0; k < 2; k++) {
         char caption[64];
-        snprintf(caption, sizeof caption, "%s: points %u to %u",
-                 k == 0 ? "last round but one" : "last round", (unsigned)begin[k] + 1,
-                 (unsigned)end[k]);
+        snprintf(caption, sizeof caption, "%s: %u points",
+                 k == 0 ? "last round but one" : "last round",
+                 (unsigned)(end[k] - begin[k]));
         svg_panel(&page, svg_box_of(points, n), end[k] - begin[k], caption);
         draw_way(&page, points, L + begin[k], end[k] - begin[k]);
     }
@@ -568,7 +576,7 @@ draw_large_triangle(FILE *file)
     point2 points[6] = {{0, 2}, {1, 1}, {3, 0}}; /* and xyz */
     const double times[2] = {3, 6};
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 320, 320, 1},
+    svg_begin(&page, file, (svg_layout){2, 1, 350, 320, 1},
               "A triangle that is not large enough, and one that is",
               "Three points in a flat triangle, whose circle is large. If the top "
               "corner of the "
@@ -577,18 +585,22 @@ draw_large_triangle(FILE *file)
               "lost.");
     for (int k = 0; k < 2; k++) {
         triangle_list list;
-        char caption[64];
+        char caption[80];
         must(large_triangle_triangulate(points, 3, times[k], &list), "large_"
                                                                      "triangle");
         large_triangle(points, 3, times[k], &points[3]);
-        snprintf(caption, sizeof caption, "k = %g: %u triangle%s left", times[k],
-                 (unsigned)list.count, list.count == 1 ? "" : "s");
+        snprintf(caption, sizeof caption, "%g boxes away: %s", times[k],
+                 list.count == 0 ? "z lies in the circle, no triangle is left"
+                                 : "z lies outside, the triangle is left");
         svg_panel(&page, svg_box_of(points, 6), 12, caption);
         svg_triangle(&page, points[3], points[4], points[5], SVG_FAINT);
         svg_circle(&page, points[0], points[1], points[2], SVG_PLAIN);
         svg_triangles(&page, points, list, SVG_STRONG);
         svg_points(&page, points, 3, SVG_STRONG);
         svg_points(&page, &points[3], 3, SVG_PLAIN);
+        const char *const name[3] = {"x", "y", "z"};
+        for (int i = 0; i < 3; i++)
+            svg_label(&page, points[3 + i], name[i], SVG_PLAIN);
         triangle_list_free(&list);
     }
     svg_end(&page);
@@ -646,10 +658,11 @@ draw_grid(FILE *file)
     vertex_id v = bucket_grid_near(&g, p);
 
     svg page;
-    svg_begin(&page, file, (svg_layout){2, 1, 300, 300, 1}, "A grid of buckets",
-              "Sixty points in a grid of cells. The cell of a new point is empty; in the "
-              "ring of cells around it there are points. From one of them the walk to the "
-              "new point visits a few triangles only.");
+    svg_begin(
+        &page, file, (svg_layout){2, 1, 300, 300, 1}, "A grid of buckets",
+        "Sixty points in a grid of cells. The cell of a new point is empty; in the "
+        "ring of cells around it there are points. From one of them the walk to the "
+        "new point visits a few triangles only.");
     svg_panel(&page, svg_box_of(points, n + 1), n, "an empty cell, the ring around it");
     draw_cells(&page, &g);
     draw_outline(&page, cells_box(&g, (point2){x - 1, y - 1}, (point2){x + 1, y + 1}),

@@ -19,10 +19,11 @@
 
 /* Two triangles divided by the ray from s to w: does q go to the left one?
  *
- * `right` is the third corner of the triangle on the right. It matters if all
- * are on one line: then the left one gets what does not lie towards `right`.
+ * `right` is the third corner of the triangle on the right. It matters if w is GHOST
+ * and q in line with the ray, as on a path: then the left one gets what does not lie
+ * towards `right`.
  * Requires: q lies in one of the two, or on their sides.
- * Cost: 1 orientation test, and another one if all are on one line.
+ * Cost: 1 orientation test, and another one in that case.
  */
 bool goes_left(const point2 *points, vertex_id o, vertex_id s, vertex_id w,
                vertex_id right, vertex_id q);

@@ -9,7 +9,7 @@
 
 /* The three ways in which a point that is no vertex can lie in a triangulation. */
 typedef enum place_kind {
-    PLACE_TRIANGLE, /* in the triangle of e; in a ghost triangle: it sees its hull edge */
+    PLACE_TRIANGLE, /* in the triangle of e; if that is a ghost, seeing its edge */
     PLACE_EDGE,     /* on edge e, between its ends */
     PLACE_BEYOND    /* in line with a path, beyond its end where hull edge e begins */
 } place_kind;
@@ -23,8 +23,10 @@ typedef struct place {
  * that the segment from v to p meets, each of them once.
  *
  * Requires: v is a vertex and has an edge; p is no vertex.
- * Cost: at most 2 orientation tests for each triangle at v, and 2 for each triangle
- * that the walk comes through. An observer sees TRACE_VISIT for each of these.
+ * Cost: at most 2 orientation tests for each triangle at v, 2 for each triangle that
+ * the walk comes through, and 3 in the last one; where it runs along the hull, 3 for
+ * each triangle at a vertex on the way. An observer sees TRACE_VISIT for each triangle
+ * that it comes through.
  * Source: notes 3.6.4; Devillers, Pion and Teillaud 2002.
  */
 place straight_walk(mesh *m, const point2 *points, vertex_id v, point2 p);
