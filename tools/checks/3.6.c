@@ -55,11 +55,53 @@ give_scene(session *s, const scene *sc)
         give_path(s, sc->before.path, sc->before.length);
 }
 
-/* ---- 3.6-a: the split. ---- */
+/* ---- In words. ---- */
 
-/* As in walk.h: the kinds of a place. */
+/* Of a spot, or of a place: walk.h. */
 static const char *const spot_names[] = {"nowhere", "in a triangle", "on an edge",
                                          "beyond the end of a path"};
+
+/* What a failure calls a triangle, "triangle 1-2-3" or "the outside of 1-2", and an edge,
+ * "1-2" or "the edge from 1 to infinity". */
+typedef struct name {
+    char text[60];
+} name;
+
+static name
+name_of_triangle(vertex_id infinity, vertex_id a, vertex_id b, vertex_id c)
+{
+    name n;
+    unsigned long p = a, q = b, r = c;
+    if (a != infinity && b != infinity && c != infinity)
+        snprintf(n.text, sizeof n.text, "triangle %lu-%lu-%lu", p, q, r);
+    else
+        snprintf(n.text, sizeof n.text, "the outside of %lu-%lu",
+                 a == infinity ? r : b == infinity ? p : q,
+                 a == infinity ? q : b == infinity ? r : p);
+    return n;
+}
+
+static name
+name_of_edge(vertex_id infinity, vertex_id a, vertex_id b)
+{
+    name n;
+    if (a != infinity && b != infinity)
+        snprintf(n.text, sizeof n.text, "%lu-%lu", (unsigned long)a, (unsigned long)b);
+    else
+        snprintf(n.text, sizeof n.text, "the edge from %lu to infinity",
+                 (unsigned long)(a == infinity ? b : a));
+    return n;
+}
+
+static name
+name_of(const scene *sc, halfedge_id e)
+{
+    triangle_list list = sc->around.list;
+    return name_of_triangle(sc->around.infinity, side_origin(list, e), side_dest(list, e),
+                            side_apex(list, e));
+}
+
+/* ---- 3.6-a: the split. ---- */
 
 /* A spot of p, of those that lie in a triangle or outside, or of the others; SPOT_NOWHERE if
  * it has none. */
@@ -106,7 +148,7 @@ take_halves(session *s, const scene *sc, uint32_t n)
            "have 6 more", (unsigned long)h.count, (unsigned long)count);
     h.count += 6;
     h.origin = take_row(s, h.count, n, "an origin");
-    h.twins = take_row(s, h.count, h.count - 1, "a twin");
+    h.twins = take_row(s, h.count, UINT32_MAX, "a twin");
     h.leaving = take_row(s, n + 1, UINT32_MAX, "a half-edge leaving a vertex");
     take_end(s);
     return h;
@@ -165,7 +207,10 @@ ask_split(session *s, const site *at, uint32_t n, bool in_triangle, scene *sc, s
 static void
 check_new_triangles(session *s, const scene *sc, spot how, halfedge_id e, const halves *h)
 {
-    vertex_id a = side_origin(sc->around.list, e), b = side_dest(sc->around.list, e);
+    name where = name_of(sc, e);
+    if (how != SPOT_TRIANGLE)
+        where = name_of_edge(sc->around.infinity, side_origin(sc->around.list, e),
+                             side_dest(sc->around.list, e));
     sphere expected = sc->around;
     expected.list = (triangle_list){sc->around.list.count, NULL};
     expected.list.corner = room_for(h->count / 3, sizeof *expected.list.corner);
@@ -177,8 +222,8 @@ check_new_triangles(session *s, const scene *sc, spot how, halfedge_id e, const 
     for (uint32_t i = 0; !failed(s) && i < h->count; i++)
         seen.corner[i / 3][i % 3] = h->origin[i];
     expect(s, failed(s) || same_triangles(seen, expected.list),
-           "%lu lies %s (edge %lu-%lu): the triangles around it afterwards are wrong",
-           (unsigned long)sc->p, spot_names[how], (unsigned long)a, (unsigned long)b);
+           "%lu lies %s, %s: the triangles around it afterwards are wrong",
+           (unsigned long)sc->p, spot_names[how], where.text);
     triangle_list_free(&seen);
     triangle_list_free(&expected.list);
 }
@@ -192,13 +237,12 @@ check_what_stays(session *s, const scene *sc, spot how, halfedge_id e, const hal
     if (failed(s) || how == SPOT_BEYOND)
         return;
     expect(s, h->origin[h->e] == a && h->origin[next_of(h->e)] == to,
-           "the half-edge of the place led from %lu to %lu, and does not lead from %lu to "
-           "%lu now", (unsigned long)a, (unsigned long)b, (unsigned long)a,
-           (unsigned long)to);
+           "%s, the half-edge of the place, does not lead where incremental.h says it does",
+           name_of_edge(sc->around.infinity, a, b).text);
     expect(s, how == SPOT_TRIANGLE ||
                   (h->origin[h->twin] == b && h->origin[next_of(h->twin)] == sc->p),
-           "the other half-edge, from %lu to %lu, does not lead from %lu to %lu now",
-           (unsigned long)b, (unsigned long)a, (unsigned long)b, (unsigned long)sc->p);
+           "%s, the twin of the half-edge of the place, does not lead to %lu now",
+           name_of_edge(sc->around.infinity, b, a).text, (unsigned long)sc->p);
     for (uint32_t i = 0; i + 6 < h->count; i++)
         if (i / 3 != h->e / 3 && (how == SPOT_TRIANGLE || i / 3 != h->twin / 3))
             expect(s, h->origin[i] == h->before[i],
@@ -240,6 +284,10 @@ check_links(session *s, uint32_t n, const halves *h)
 {
     for (uint32_t e = 0; e < h->count && !failed(s); e++) {
         uint32_t t = h->twins[e];
+        if (!expect(s, t < h->count, "half-edge %lu, from %lu to %lu, has no twin",
+                    (unsigned long)e, (unsigned long)h->origin[e],
+                    (unsigned long)h->origin[next_of(e)]))
+            return;
         expect(s, t != e && h->twins[t] == e,
                "the twin of half-edge %lu is %lu, but the twin of that is %lu",
                (unsigned long)e, (unsigned long)t, (unsigned long)h->twins[t]);
@@ -311,46 +359,6 @@ take_side(session *s, const scene *sc, uint32_t n, const char *what)
     expect(s, failed(s) || e != NONE, "%s: %lu-%lu-%lu is no triangle of the mesh", what,
            (unsigned long)a, (unsigned long)b, (unsigned long)c);
     return failed(s) ? NONE : e;
-}
-
-/* What a failure calls a triangle, "triangle 1-2-3" or "the outside of 1-2", and an edge,
- * "1-2" or "the edge from 1 to infinity". */
-typedef struct name {
-    char text[60];
-} name;
-
-static name
-name_of_triangle(vertex_id infinity, vertex_id a, vertex_id b, vertex_id c)
-{
-    name n;
-    unsigned long p = a, q = b, r = c;
-    if (a != infinity && b != infinity && c != infinity)
-        snprintf(n.text, sizeof n.text, "triangle %lu-%lu-%lu", p, q, r);
-    else
-        snprintf(n.text, sizeof n.text, "the outside of %lu-%lu",
-                 a == infinity ? r : b == infinity ? p : q,
-                 a == infinity ? q : b == infinity ? r : p);
-    return n;
-}
-
-static name
-name_of_edge(vertex_id infinity, vertex_id a, vertex_id b)
-{
-    name n;
-    if (a != infinity && b != infinity)
-        snprintf(n.text, sizeof n.text, "%lu-%lu", (unsigned long)a, (unsigned long)b);
-    else
-        snprintf(n.text, sizeof n.text, "the edge from %lu to infinity",
-                 (unsigned long)(a == infinity ? b : a));
-    return n;
-}
-
-static name
-name_of(const scene *sc, halfedge_id e)
-{
-    triangle_list list = sc->around.list;
-    return name_of_triangle(sc->around.infinity, side_origin(list, e), side_dest(list, e),
-                            side_apex(list, e));
 }
 
 /* Is the place right? Returns the half-edge of it. */
