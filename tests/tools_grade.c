@@ -146,7 +146,9 @@ prepare(void)
     return shell("echo 'a secret' >$d/seed && printf 'good,Gus\\nabsent,Ann\\n' >$d/roster && "
                  "$build/grade --base $d/base --seed-file $d/seed -j 2 "
                  "--format text,gradescope,classroom50,junit,tap --csv $d/class.csv "
-                 "--roster $d/roster -o $d/graded $d/class >$d/said 2>$d/err");
+                 "--roster $d/roster -o $d/graded $d/class >$d/said 2>$d/err && "
+                 "$build/grade --pack gradescope -a 2.3-b --seed-file $d/seed "
+                 "-o $d/pack.zip >$d/out");
 }
 
 /* ---- What must hold. ---- */
@@ -508,9 +510,8 @@ it_runs_as_another_user(void)
 static void
 the_archive_has_no_solution(void)
 {
-    int status = shell("for z in pack again; do $build/grade --pack gradescope -a 2.3-b "
-                       "--seed-file $d/seed -o $d/$z.zip >$d/out || exit 9; done; "
-                       "cmp $d/pack.zip $d/again.zip");
+    int status = shell("$build/grade --pack gradescope -a 2.3-b --seed-file $d/seed "
+                       "-o $d/again.zip >$d/out && cmp $d/pack.zip $d/again.zip");
     CLAIM("grade.pack", status == 0, "status %d: %s", status, read_scratch("out").text);
     CLAIM("grade.pack", shell("grep -q 'hull_edges_seeing' $d/pack.zip && "
                               "! grep -q 'mesh_hull_prev(m, q.first)' $d/pack.zip") == 0,
