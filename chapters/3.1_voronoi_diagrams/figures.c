@@ -227,7 +227,7 @@ draw_half_plane(svg *page, const point2 *points, uint32_t n, uint32_t all,
                  (unsigned)n - 1);
     else
         snprintf(caption, sizeof caption,
-                 "%u cuts off %d edge%s: now it has its own", (unsigned)n - 1,
+                 "%u cuts off %d edge%s and adds one", (unsigned)n - 1,
                  gone, gone == 1 ? "" : "s");
 
     shape region = shape_of_box(box), lost = region;
@@ -442,7 +442,7 @@ draw_sibson(FILE *file)
                                     {6, 2.8},   {4.2, 4.8}, {1.2, 4.2},
                                     {-1, 2.6},  {7.4, 5.6}, {7.2, -0.4}};
     enum { SITES = sizeof points / sizeof *points };
-    svg_box box = {{-0.4, -0.4}, {7, 5.6}};
+    svg_box box = {{-1.2, -0.6}, {7.6, 5.8}};
     diagram with = build(points, SITES), without = build(points + 1, SITES - 1);
     uint32_t first = with.d.cell_first[0], size = with.d.cell_first[1] - first;
     double weight[MOST_CORNERS];
@@ -468,7 +468,9 @@ draw_sibson(FILE *file)
             if (r != q)
                 cut_shape(&piece, points[q], points[r]);
         }
-        draw_shape(&page, &piece, i % 2 == 0 ? SVG_NEW : SVG_PLAIN);
+        bool odd_one_out = i == size - 1 && size % 2 == 1; /* beside the first */
+        draw_shape(&page, &piece,
+                   odd_one_out ? SVG_GOOD : i % 2 == 0 ? SVG_NEW : SVG_PLAIN);
     }
     draw_diagram(&page, &without, points + 1, box, SVG_FAINT);
     draw_diagram(&page, &with, points, box, SVG_STRONG);
