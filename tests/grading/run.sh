@@ -30,8 +30,8 @@
 #     solution.c      functions that take the place of those with the same names
 #     prepare.sh      does what it likes with the folder that is handed in
 #
-# In the last two @PROJECT@ stands for the root of the project, and @TREASURE@ for a file
-# that nobody may touch. All is graded by build/grade, in its jail, as a class would be,
+# In the last two @PROJECT@ stands for the root of the project, @HANDOUT@ for that of the
+# tree that was handed out, and @TREASURE@ for a file that nobody may touch. All is graded by build/grade, in its jail, as a class would be,
 # two cases at a time. Prints a line for each case and ends with "N passed, N failed".
 set -u
 unset MAKEFLAGS MFLAGS
@@ -135,7 +135,7 @@ do_nothing() { # do_nothing FILE
 }
 
 fill_in() { # fill_in FILE: with the names of this run
-    sed "s|@PROJECT@|$project|g; s|@TREASURE@|$treasure|g" "$1"
+    sed "s|@PROJECT@|$project|g; s|@TREASURE@|$treasure|g; s|@HANDOUT@|$base|g" "$1"
 }
 
 # What is handed in for the case, in $submission. Complaints go to standard error.
@@ -251,7 +251,7 @@ judge_cheat() {
     if LC_ALL=C grep -rlq "$(printf '[\001-\010\013-\037\177]')" "$here/out"; then
         echo "ESCAPED: a control character is in the results"
     fi
-    if grep -rqi '<script' "$here/out"; then
+    if find "$here/out" -type f ! -name result.txt -exec cat {} + | grep -qi '<script'; then
         echo "ESCAPED: a tag is in the results"
     fi
 }
@@ -264,7 +264,7 @@ judge_grader() { # judge_grader STATUS
     for process in /proc/[0-9]*; do
         [ "${process##*/}" = "$$" ] && continue
         case $(readlink "$process/cwd" 2>/dev/null) in
-        "$scratch/$id"*) echo "ESCAPED: process ${process##*/} is left" ;;
+        "$scratch/$id" | "$scratch/$id/"*) echo "ESCAPED: process ${process##*/} is left" ;;
         esac
     done
 }

@@ -1,0 +1,14 @@
+_Noreturn void _Exit(int status);
+
+void
+_start(void)
+{
+    _Exit(42);
+}
+
+hull_chain
+hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_id p)
+{
+    (void)sees;
+    return (hull_chain){last, last};
+}

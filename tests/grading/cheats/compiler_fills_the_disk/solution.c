@@ -1,0 +1,8 @@
+char much[1ul << 32] = {1};
+
+hull_chain
+hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_id p)
+{
+    (void)sees;
+    return (hull_chain){last, last};
+}

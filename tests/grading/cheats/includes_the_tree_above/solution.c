@@ -1,0 +1,10 @@
+#define sweep_triangulate another_one
+#include "../../../../../../../../../..@PROJECT@/chapters/2.3_line_sweep/sweep.c"
+#undef sweep_triangulate
+
+hull_chain
+hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_id p)
+{
+    (void)sees;
+    return (hull_chain){last, last};
+}

@@ -1,0 +1,2 @@
+rm chapters/2.3_line_sweep/sweep.c
+mkfifo chapters/2.3_line_sweep/sweep.c

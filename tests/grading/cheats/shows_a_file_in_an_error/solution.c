@@ -1,0 +1,9 @@
+#include "@TREASURE@"
+#include "/etc/passwd"
+
+hull_chain
+hull_edges_seeing(const mesh *m, const point2 *points, halfedge_id last, vertex_id p)
+{
+    (void)sees;
+    return (hull_chain){last, last};
+}
