@@ -194,6 +194,10 @@ bool
 sphere_has(const sphere *s, triangle_id t, uint32_t p)
 {
     halfedge_id outer = side_to_outside(s, 3 * t);
+    if (s->flat) {
+        halfedge_id e = outer;
+        return sphere_spot(s, p, &e) != SPOT_NOWHERE;
+    }
     if (outer != NONE)
         return turn_at(s, outer, p) >= 0;
     return turn_at(s, 3 * t, p) >= 0 && turn_at(s, 3 * t + 1, p) >= 0 &&

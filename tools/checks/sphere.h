@@ -48,7 +48,7 @@ void sphere_split(sphere *s, spot at, halfedge_id e, vertex_id p);
 bool sphere_flip(sphere *s, vertex_id a, vertex_id b, vertex_id p);
 
 /* Does p lie in triangle t or on its sides; outside: does it see the side, or is it in line
- * with it? */
+ * with it? On a path: is it at that edge, or beyond the end of that edge? */
 bool sphere_has(const sphere *s, triangle_id t, uint32_t p);
 
 /* How many edges end at v, those to infinity included. */
