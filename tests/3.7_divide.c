@@ -472,6 +472,109 @@ selecting_is_sorting_in_one_place(const point2 *points, uint32_t n)
     free(L);
 }
 
+/* P19: how many comparisons for a place in the middle, on average over the pivots. The
+ * sites begin in order, which is bad luck for who always takes the first. */
+static void
+selecting_takes_four_comparisons_a_site(void)
+{
+    enum { n = 400, runs = 200 };
+    point2 points[n];
+    vertex_id L[n];
+    uint64_t before = predicate_count.compare_along;
+    for (int run = 0; run < runs; run++) {
+        for (uint32_t i = 0; i < n; i++) {
+            points[i] = (point2){i, i % 7};
+            L[i] = i;
+        }
+        select_along(points, L, n, n / 2, (point2){1, 0}, test_random_source());
+    }
+    double each = (double)(predicate_count.compare_along - before) / runs / n;
+    CLAIM("sec3.7.P19", each < 4, "%.2f comparisons a site", each);
+}
+
+/* ---- Cuts in turn. ---- */
+
+/* The first edges of the parts of two and three, in the order in which they come. */
+typedef struct first_edges {
+    trace observer; /* first: see lib/trace.h */
+    vertex_id (*edge)[2];
+    uint32_t count, seen, wrong;
+} first_edges;
+
+static void
+sort_slowly(const point2 *points, vertex_id *L, uint32_t count, point2 d)
+{
+    for (uint32_t i = 1; i < count; i++)
+        for (uint32_t j = i; j > 0; j--) {
+            vertex_id p = L[j - 1], q = L[j];
+            if (compare_along(d, points[p], points[q]) < 0)
+                break;
+            L[j - 1] = q;
+            L[j] = p;
+        }
+}
+
+/* What P18 says about them. */
+static void
+expect_cuts(first_edges *e, const point2 *points, vertex_id *L, uint32_t count, point2 d)
+{
+    sort_slowly(points, L, count, d);
+    if (count >= 4) {
+        uint32_t half = count / 2;
+        const point2 across = {-d.y, d.x};
+        expect_cuts(e, points, L, half, across);
+        expect_cuts(e, points, L + half, count - half, across);
+    } else if (count >= 2) {
+        e->edge[e->count][0] = L[0];
+        e->edge[e->count++][1] = L[1];
+    }
+}
+
+static int
+see_first_edge(trace *self, const mesh *m, const trace_event *event)
+{
+    (void)m;
+    first_edges *e = (first_edges *)self;
+    if (event->kind != TRACE_START)
+        return 0;
+    e->wrong += e->seen >= e->count || e->edge[e->seen][0] != event->a ||
+        e->edge[e->seen][1] != event->b;
+    e->seen++;
+    return 0;
+}
+
+static void
+cuts_are_along_and_across_in_turn(const point2 *points, uint32_t n)
+{
+    tri_options options = tri_options_default();
+    options.direction = random_direction();
+    options.cuts = TRI_CUTS_ALTERNATING;
+    uint32_t u = 0;
+    vertex_id *L = in_order(points, n, options.direction, &u);
+    first_edges e = {.observer = {see_first_edge},
+                     .edge = malloc((n + 1) * sizeof *e.edge)};
+    expect_cuts(&e, points, L, u, options.direction);
+    options.trace = &e.observer;
+    mesh m;
+    CLAIM("sec3.7.P18", divide_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
+    mesh_free(&m);
+    free(e.edge);
+    free(L);
+    CLAIM("sec3.7.P18", e.wrong == 0 && e.seen == e.count,
+          "%u of %u parts begin with another edge", e.wrong, e.count);
+}
+
+/* P20: a unit square in two halves. */
+static void
+ties_stay_and_go_left(void)
+{
+    const point2 square[] = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    mesh m;
+    CLAIM("sec3.7.P20", divide_triangulate(square, 4, NULL, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.7.P20", has_edge(&m, 1, 2), "the right candidate was taken");
+    mesh_free(&m);
+}
+
 /* ---- The erratum, cancelling, refusals, and memory that runs out. ---- */
 
 /* E52: two Delaunay triangulations are not merged by filling what lies between them.
@@ -495,11 +598,26 @@ e52_merging_takes_triangles_away(void)
     mesh_free(&m);
 }
 
+/* Stops at a flip or at a bridge, when so many triangles are there. */
+typedef struct stopper {
+    trace observer; /* first: see lib/trace.h */
+    trace_kind kind;
+    uint32_t triangles;
+    uint64_t asked; /* until then */
+} stopper;
+
+static uint64_t
+tests_asked(void)
+{
+    return predicate_count.orient2d + predicate_count.incircle;
+}
+
 static int
 see_and_stop(trace *self, const mesh *m, const trace_event *event)
 {
-    (void)self;
-    return event->kind == TRACE_FLIP && m->triangles >= 30;
+    stopper *s = (stopper *)self;
+    s->asked = tests_asked();
+    return event->kind == s->kind && m->triangles >= s->triangles;
 }
 
 static void
@@ -508,15 +626,19 @@ it_can_be_stopped_and_refused(void)
     point2 points[50];
     for (int i = 0; i < 50; i++)
         points[i] = (point2){i % 7, i * i % 11};
-    trace stop = {see_and_stop};
     tri_options options = tri_options_default();
     mesh m;
     for (int cuts = 0; cuts < 2; cuts++) {
         options.cuts = cuts == 0 ? TRI_CUTS_VERTICAL : TRI_CUTS_ALTERNATING;
-        options.trace = &stop;
-        tri_status stopped = divide_triangulate(points, 50, &options, &m);
-        CLAIM("sec3.7.P6", stopped == TRI_CANCELLED && m.halfedge == NULL,
-              "the observer could not stop it");
+        for (uint32_t triangles = 2; triangles <= 60; triangles += 2) {
+            stopper stop = {{see_and_stop}, TRACE_BRIDGE, triangles, 0};
+            options.trace = &stop.observer;
+            tri_status stopped = divide_triangulate(points, 50, &options, &m);
+            uint64_t more = tests_asked() - stop.asked;
+            CLAIM("sec3.7.P6", stopped == TRI_CANCELLED && m.halfedge == NULL &&
+                  more <= 24, "stopped at %u triangles, it asked %u more tests",
+                  triangles, (unsigned)more);
+        }
         options.trace = NULL;
         tri_status status = TRI_OUT_OF_MEMORY;
         for (unsigned long k = 1; status != TRI_OK; k++) {
@@ -552,6 +674,10 @@ main(int argc, char **argv)
     test_random("the cost of all", n_log_n_tests, 1000, 400);
     test_random("selecting", selecting_is_sorting_in_one_place, 1000, 60);
     test_near_degenerate("selecting", selecting_is_sorting_in_one_place, 500, 40);
+    test_run("the cost of selecting", selecting_takes_four_comparisons_a_site);
+    test_random("cuts in turn", cuts_are_along_and_across_in_turn, 500, 60);
+    test_near_degenerate("cuts in turn", cuts_are_along_and_across_in_turn, 500, 40);
+    test_run("ties", ties_stay_and_go_left);
     test_run("E52: merging takes triangles away", e52_merging_takes_triangles_away);
     test_run("stopped, refused, out of memory", it_can_be_stopped_and_refused);
     return test_end((test_minima){.trials = 80000, .largest_n = 300, .zeros = 10000,
