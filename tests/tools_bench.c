@@ -1,8 +1,8 @@
-/* The benchmark says what it has seen, of peers that crash, hang, talk nonsense or are
- * wrong, too, and these do not end it.
+/* The benchmark says what it has seen, of peers that crash, hang, talk nonsense
+ * or are wrong, too, and these do not end it.
  *
- * Hypotheses: none on times, which are only asked to be there. The peers here are scripts
- * of the shell.
+ * Hypotheses: none on times, which are only asked to be there. The peers here
+ * are scripts of the shell.
  */
 #include "tests/harness/harness.h"
 #include "tests/harness/shell.h"
@@ -13,8 +13,10 @@
 static void
 make_peer(const char *name, const char *script)
 {
-    int status = shell("mkdir -p $d/peers && printf '#!/bin/sh\\n%s\\n' >$d/peers/%s && "
-                       "chmod +x $d/peers/%s", script, name, name);
+    int status =
+        shell("mkdir -p $d/peers && printf '#!/bin/sh\\n%s\\n' >$d/peers/%s && "
+              "chmod +x $d/peers/%s",
+              script, name, name);
     CLAIM("bench.setup", status == 0, "the peer %s cannot be made", name);
 }
 
@@ -43,31 +45,39 @@ peers_do_what_they_want(void)
     make_peer("hang", "while :; do :; done");
     make_peer("nonsense", "echo I am faster than all others");
     make_peer("silent", "exit 0");
-    make_peer("wrong", "echo 0.001 0.001 0.001 1000 0 wrong: a triangle is missing");
-    make_peer("instant", "echo 0 0 0.001 1000 1 Delaunay"); /* clocks may tick slowly */
+    make_peer("wrong",
+              "echo 0.001 0.001 0.001 1000 0 wrong: a triangle is missing");
+    make_peer("instant",
+              "echo 0 0 0.001 1000 1 Delaunay"); /* clocks may tick slowly */
     make_peer("good", "echo 0.001 0.001 0.001 160000 1 Delaunay");
-    int status = shell("$build/bench/bench -r 1 -t 1 -o $d uniform 1000 sweep fast "
-                       "crash hang nonsense silent wrong instant good >$d/out 2>$d/err");
+    int status = shell(
+        "$build/bench/bench -r 1 -t 1 -o $d uniform 1000 sweep fast "
+        "crash hang nonsense silent wrong instant good >$d/out 2>$d/err");
     CLAIM("bench.goes_on", status == 0, "exit status %d: %s", status,
           read_scratch("err").text);
-    static const char *const expected[][2] = {
-        {"crash", "failed"}, {"hang", "stopped at the limit"}, {"nonsense", "failed"},
-        {"silent", "failed"}, {"instant", "Delaunay"}, {"wrong", "wrong: a triangle is missing"},
-        {"good", "160 Delaunay"}, {"sweep", "triangulation"}, {"fast", "Delaunay"},
-        {"yardstick", "sorted"}};
+    static const char *const expected[][2] =
+        {{"crash", "failed"},      {"hang", "stopped at the limit"},
+         {"nonsense", "failed"},   {"silent", "failed"},
+         {"instant", "Delaunay"},  {"wrong", "wrong: a triangle is missing"},
+         {"good", "160 Delaunay"}, {"sweep", "triangulation"},
+         {"fast", "Delaunay"},     {"yardstick", "sorted"}};
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         const char *name = expected[i][0];
         content line = line_of(name);
         /* the columns are as wide as their numbers: one blank will do */
-        CLAIM("bench.says", strstr(line.text, expected[i][1]) != NULL ||
-              (strcmp(name, "good") == 0 && strstr(line.text, "160  Delaunay") != NULL),
+        CLAIM("bench.says",
+              strstr(line.text, expected[i][1]) != NULL ||
+                  (strcmp(name, "good") == 0 &&
+                   strstr(line.text, "160  Delaunay") != NULL),
               "%s: \"%s\" is not in: %s", name, expected[i][1], line.text);
         CLAIM("bench.csv", row_of(name).text[0] != '\0', "no row for %s", name);
     }
     CLAIM("bench.marks", shell("grep '^uniform .*!' $d/out >/dev/null") == 0,
           "a wrong answer is not marked in the summary");
-    CLAIM("bench.plots", shell("grep -q '</svg>' $d/growth.svg && "
-                               "grep -q '</svg>' $d/ratios.svg") == 0, "no plots");
+    CLAIM("bench.plots",
+          shell("grep -q '</svg>' $d/growth.svg && "
+                "grep -q '</svg>' $d/ratios.svg") == 0,
+          "no plots");
     CLAIM("bench.aims", !has("out", "PASS") && !has("out", "FAIL"),
           "aims are looked at, and nobody has asked");
 }
@@ -79,25 +89,29 @@ ratios_are_ratios(void)
     int status = shell("$build/bench/bench -r 2 -o $d grid circle 200 divide "
                        ">$d/out 2>$d/err");
     CLAIM("bench.goes_on", status == 0, "exit status %d", status);
-    status = shell("awk -F, 'NR > 1 && $3 == \"yardstick\" { least[$1, $2] = $6 }"
-                   "$3 == \"divide\" { rows++; r = $6 / least[$1, $2] / $12;"
-                   "  if ($7 < $6 || $5 != 2 || r < 0.99 || r > 1.01) bad = 1 }"
-                   "END { exit bad || rows != 2 }' $d/bench.csv");
+    status = shell(
+        "awk -F, 'NR > 1 && $3 == \"yardstick\" { least[$1, $2] = $6 }"
+        "$3 == \"divide\" { rows++; r = $6 / least[$1, $2] / $12;"
+        "  if ($7 < $6 || $5 != 2 || r < 0.99 || r > 1.01) bad = 1 }"
+        "END { exit bad || rows != 2 }' $d/bench.csv");
     CLAIM("bench.ratios", status == 0, "%s", read_scratch("bench.csv").text);
 }
 
 static void
 wrong_words_are_explained(void)
 {
-    static const char *const words[] = {"lumpy", "0", "-r 0", "-r x", "-z", "-t"};
+    static const char *const words[] = {"lumpy", "0",  "-r 0",
+                                        "-r x",  "-z", "-t"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        int status = shell("$build/bench/bench -o $d %s >$d/out 2>$d/err", words[i]);
-        CLAIM("bench.usage", status == 2 && has("err", "--help"), "%s: status %d: %s",
-              words[i], status, read_scratch("err").text);
+        int status = shell("$build/bench/bench -o $d %s >$d/out 2>$d/err",
+                           words[i]);
+        CLAIM("bench.usage", status == 2 && has("err", "--help"),
+              "%s: status %d: %s", words[i], status, read_scratch("err").text);
     }
     int status = shell("$build/bench/bench --help >$d/out");
-    CLAIM("bench.usage", status == 0 && has("out", "usage: bench") &&
-          has("out", "near-line"), "--help: status %d", status);
+    CLAIM("bench.usage",
+          status == 0 && has("out", "usage: bench") && has("out", "near-line"),
+          "--help: status %d", status);
 }
 
 int

@@ -1,5 +1,5 @@
-/* bench.c - how long do the algorithms take, compared with sorting the same points, and
- * with what others have made?
+/* bench.c - how long do the algorithms take, compared with sorting the same
+ * points, and with what others have made?
  *
  * Run it in the root of the project: `build/bench/bench --help` says how.
  */
@@ -40,7 +40,8 @@ static const char usage[] =
 _Noreturn void
 refuse(const char *sentence, const char *which)
 {
-    fprintf(stderr, "bench: %s %s\n`bench --help` tells more\n", sentence, which);
+    fprintf(stderr, "bench: %s %s\n`bench --help` tells more\n", sentence,
+            which);
     exit(2);
 }
 
@@ -66,8 +67,8 @@ find_contender(const bench *b, const char *name)
 }
 
 static const cell *
-find_cell_in_state(const bench *b, uint32_t n, const char *input, const char *name,
-                   cell_state state)
+find_cell_in_state(const bench *b, uint32_t n, const char *input,
+                   const char *name, cell_state state)
 {
     int c = find_contender(b, name);
     for (int s = 0; s < b->sizes && c >= 0; s++)
@@ -208,7 +209,8 @@ keep_named(bench *b, const named *names)
 {
     int kept = 0;
     for (int c = 0; c < b->contenders; c++)
-        if (names->contenders == 0 || names->contender[c] || b->contender[c].sorts)
+        if (names->contenders == 0 || names->contender[c] ||
+            b->contender[c].sorts)
             b->contender[kept++] = b->contender[c];
     b->contenders = kept;
     for (int i = 0; distributions[i].name != NULL && i < MOST_INPUTS; i++)
@@ -235,10 +237,13 @@ print_help(const bench *b)
     printf("%s\nDistributions:\n", usage);
     for (const distribution *d = distributions; d->name != NULL; d++)
         printf("  %-11s %s\n", d->name, d->summary);
-    printf("\nNames (std_sort and what follows are programs in %s/peers):\n", b->folder);
+    printf("\nNames (std_sort and what follows are programs in %s/peers):\n",
+           b->folder);
     for (int c = 0; c < b->contenders; c++)
         printf("  %-12s %s\n", b->contender[c].name,
-               b->contender[c].algorithm != NULL ? b->contender[c].algorithm->summary : "");
+               b->contender[c].algorithm != NULL
+                   ? b->contender[c].algorithm->summary
+                   : "");
 }
 
 static void
@@ -248,7 +253,8 @@ read_arguments(bench *b, int argc, char **argv)
     bool help = false;
     for (int i = 1; i < argc; i++)
         help = help || strcmp(argv[i], "--help") == 0;
-    for (int option; !help && (option = getopt(argc, argv, "har:s:t:o:")) != -1;)
+    for (int option;
+         !help && (option = getopt(argc, argv, "har:s:t:o:")) != -1;)
         if (option == 'a')
             b->aims = true;
         else if (option == 'r')
@@ -277,7 +283,8 @@ read_arguments(bench *b, int argc, char **argv)
 int
 main(int argc, char **argv)
 {
-    static bench b = {.runs = 5, .spend = 1.5, .seconds = 5, .folder = "build/bench"};
+    static bench b = {
+        .runs = 5, .spend = 1.5, .seconds = 5, .folder = "build/bench"};
     char path[400];
     bool well = true;
     read_arguments(&b, argc, argv);
@@ -285,10 +292,12 @@ main(int argc, char **argv)
     b.csv = fopen(path, "w");
     if (b.csv == NULL)
         refuse("cannot write", path);
-    fputs("distribution,points,name,state,runs,user_least,user_median,processor_least,"
-          "processor_median,wall_least,wall_median,over_yardstick,"
-          "over_yardstick_median,over_std_sort,over_std_sort_median,bytes_per_point,"
-          "answer\n", b.csv);
+    fputs(
+        "distribution,points,name,state,runs,user_least,user_median,processor_least,"
+        "processor_median,wall_least,wall_median,over_yardstick,"
+        "over_yardstick_median,over_std_sort,over_std_sort_median,bytes_per_point,"
+        "answer\n",
+        b.csv);
 
     for (int s = 0; s < b.sizes; s++)
         for (int i = 0; i < b.inputs; i++)

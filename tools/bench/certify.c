@@ -1,4 +1,5 @@
-/* certify.c - the project's own checkers, which are exact, look at each answer. */
+/* certify.c - the project's own checkers, which are exact, look at each answer.
+ */
 #include "tools/bench/certify.h"
 
 #include "chapters/2.1_simplicial_complexes/complex.h"
@@ -7,7 +8,8 @@
 #include <stdio.h>
 
 answer
-certify_triangles(const point2 *points, uint32_t n, triangle_list list, bool delaunay)
+certify_triangles(const point2 *points, uint32_t n, triangle_list list,
+                  bool delaunay)
 {
     answer a = {.right = false};
     verdict v;
@@ -15,9 +17,11 @@ certify_triangles(const point2 *points, uint32_t n, triangle_list list, bool del
                                  : is_triangulation(points, n, list, &v);
     a.right = status == TRI_OK && v.holds;
     if (status != TRI_OK)
-        snprintf(a.text, sizeof a.text, "not checked: %s", tri_status_text(status));
+        snprintf(a.text, sizeof a.text, "not checked: %s",
+                 tri_status_text(status));
     else if (v.holds)
-        snprintf(a.text, sizeof a.text, "%s", delaunay ? "Delaunay" : "triangulation");
+        snprintf(a.text, sizeof a.text, "%s",
+                 delaunay ? "Delaunay" : "triangulation");
     else
         snprintf(a.text, sizeof a.text, "wrong: %.80s", v.because);
     return a;
@@ -31,7 +35,8 @@ certify_sorted(const point2 *points, uint32_t n)
         point2 p = points[i - 1], q = points[i];
         a.right = p.x < q.x || (p.x == q.x && p.y <= q.y);
         if (!a.right)
-            snprintf(a.text, sizeof a.text, "wrong: point %lu is before the one in front",
+            snprintf(a.text, sizeof a.text,
+                     "wrong: point %lu is before the one in front",
                      (unsigned long)i);
     }
     return a;

@@ -1,4 +1,5 @@
-/* certify.h - is the answer right? Asked of every algorithm and peer, off the clock.
+/* certify.h - is the answer right? Asked of every algorithm and peer, off the
+ * clock.
  *
  * Needs: lib/triangles.h.
  */
@@ -11,8 +12,9 @@
 
 enum { ANSWER_ROOM = 100 };
 
-/* What is to be said of the triangles of n points: "Delaunay", "triangulation", or why
- * they are none (or, if `delaunay`, why they are not Delaunay). Never empty, one line. */
+/* What is to be said of the triangles of n points: "Delaunay", "triangulation",
+ * or why they are none (or, if `delaunay`, why they are not Delaunay). Never
+ * empty, one line. */
 typedef struct answer {
     bool right;
     char text[ANSWER_ROOM];

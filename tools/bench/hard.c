@@ -93,15 +93,16 @@ static bool
 count_tiers(const bench *b, const char *path, tier_counts *t)
 {
     char call[1000], line[400];
-    snprintf(call, sizeof call, "'%s/tiers' %s '%s'", b->folder, subject()->name,
-             path);
+    snprintf(call, sizeof call, "'%s/tiers' %s '%s'", b->folder,
+             subject()->name, path);
     fflush(NULL);
     FILE *pipe = popen(call, "r");
     if (pipe == NULL)
         return false;
     bool found = fgets(line, sizeof line, pipe) != NULL &&
-        sscanf(line, "%lf %lf %lf %lf %lf %lf %lf", &t->orient2d, &t->incircle,
-               &t->others, &t->signs, &t->expansions, &t->wide, &t->zeros) == 7;
+                 sscanf(line, "%lf %lf %lf %lf %lf %lf %lf", &t->orient2d,
+                        &t->incircle, &t->others, &t->signs, &t->expansions,
+                        &t->wide, &t->zeros) == 7;
     return pclose(pipe) == 0 && found;
 }
 
@@ -146,22 +147,24 @@ void
 print_hard(const hard_result *result, uint32_t n)
 {
     printf("\n%s: %lu points; time over that of uniform ones; for each point, the\n"
-           "orientation and incircle tests, and the determinants that the filter left to\n"
-           "the signs of products, to expansions, to wide numbers; those that were 0:\n"
-           "%-10s %6s %8s %8s %8s %10s %8s %8s\n",
-           subject()->name, (unsigned long)n, "", "time", "orient.", "incircle", "signs",
-           "expansions", "wide", "zeros");
+           "orientation and incircle tests, and the determinants that the filter\n"
+           "left to the signs of products, to expansions, to wide numbers; those\n"
+           "that were 0:\n%-10s %6s %8s %8s %8s %10s %8s %8s\n",
+           subject()->name, (unsigned long)n, "", "time", "orient.", "incircle",
+           "signs", "expansions", "wide", "zeros");
     for (int k = 0; k < HARD_INPUTS; k++) {
         const hard_result *h = &result[k];
         const tier_counts *t = &h->tiers;
         printf("%-10s ", h->input->name);
         if (h->end != RUN_DONE)
-            printf("%s\n", h->end == RUN_TOO_LONG ? "stopped at the limit" : "failed");
+            printf("%s\n",
+                   h->end == RUN_TOO_LONG ? "stopped at the limit" : "failed");
         else if (!h->counted)
             printf("%6.2f not counted\n", h->seconds / result[0].seconds);
         else
             printf("%6.2f %8.3f %8.3f %8.3f %10.3f %8.3f %8.3f\n",
-                   h->seconds / result[0].seconds, t->orient2d / n, t->incircle / n,
-                   t->signs / n, t->expansions / n, t->wide / n, t->zeros / n);
+                   h->seconds / result[0].seconds, t->orient2d / n,
+                   t->incircle / n, t->signs / n, t->expansions / n,
+                   t->wide / n, t->zeros / n);
     }
 }

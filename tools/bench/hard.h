@@ -1,4 +1,5 @@
-/* hard.h - inputs of which one might be afraid: copies, lines, extreme coordinates.
+/* hard.h - inputs of which one might be afraid: copies, lines, extreme
+ * coordinates.
  *
  * Needs: tools/bench/bench.h.
  */
@@ -11,8 +12,8 @@ extern const distribution hard_inputs[]; /* ended by a row without a name */
 
 enum { HARD_INPUTS = 8 }; /* uniform points, and the seven */
 
-/* Questions asked, and of those that the filter did not answer, who did (predicates.h);
- * doubles, since they are divided. */
+/* Questions asked, and of those that the filter did not answer, who did
+ * (predicates.h); doubles, since they are divided. */
 typedef struct tier_counts {
     double orient2d, incircle, others, signs, expansions, wide, zeros;
 } tier_counts;
@@ -25,8 +26,8 @@ typedef struct hard_result {
     tier_counts tiers;
 } hard_result;
 
-/* Runs the subject on n points of each, in turns; result[0] is for uniform points.
- * Requires: room for HARD_INPUTS results. */
+/* Runs the subject on n points of each, in turns; result[0] is for uniform
+ * points. Requires: room for HARD_INPUTS results. */
 void measure_hard(const bench *b, uint32_t n, hard_result *result);
 
 void print_hard(const hard_result *result, uint32_t n);

@@ -1,4 +1,5 @@
-/* measure.c - a run is a child process; what it has seen comes back through a pipe. */
+/* measure.c - a run is a child process; what it has seen comes back through a
+ * pipe. */
 #include "tools/bench/measure.h"
 
 #include "lib/memory.h"
@@ -17,8 +18,8 @@
 
 /* ---- What the child does. ---- */
 
-/* A sort needs a new copy of the points for each round; all are made before the clock
- * starts. */
+/* A sort needs a new copy of the points for each round; all are made before the
+ * clock starts. */
 static run
 sort_here(const point2 *points, uint32_t n)
 {
@@ -41,10 +42,11 @@ sort_here(const point2 *points, uint32_t n)
     return r;
 }
 
-/* The mesh of a round is freed in the next one: the last one is there to be certified. */
+/* The mesh of a round is freed in the next one: the last one is there to be
+ * certified. */
 static run
-triangulate_here(const algorithm *a, const tri_options *options, const point2 *points,
-                 uint32_t n, bool certify)
+triangulate_here(const algorithm *a, const tri_options *options,
+                 const point2 *points, uint32_t n, bool certify)
 {
     run r = {.end = RUN_FAILED, .answer = {.right = true}};
     mesh m = {0};
@@ -75,8 +77,9 @@ give_up(const char *what)
     exit(2);
 }
 
-/* The child gets a limit on its processor time, and one on the wall for those that
- * wait for something. What it writes into *to_parent can be read from the result. */
+/* The child gets a limit on its processor time, and one on the wall for those
+ * that wait for something. What it writes into *to_parent can be read from the
+ * result. */
 static int
 begin_child(pid_t *child, unsigned seconds, int *to_parent)
 {
@@ -88,7 +91,8 @@ begin_child(pid_t *child, unsigned seconds, int *to_parent)
     if (*child < 0)
         give_up("fork");
     if (*child == 0) {
-        struct rlimit limit = {seconds, seconds + 1}; /* the signal, then the end */
+        struct rlimit limit = {seconds,
+                               seconds + 1}; /* the signal, then the end */
         setrlimit(RLIMIT_CPU, &limit);
         alarm(10 * seconds);
         close(ends[0]);
@@ -107,12 +111,13 @@ end_of(pid_t child)
     while (waitpid(child, &status, 0) != child)
         if (errno != EINTR)
             give_up("waitpid");
-    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU ||
-                                WTERMSIG(status) == SIGALRM))
+    if (WIFSIGNALED(status) &&
+        (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGALRM))
         return RUN_TOO_LONG;
     if (WIFSIGNALED(status))
         fprintf(stderr, "bench: stopped by signal %d\n", WTERMSIG(status));
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? RUN_DONE : RUN_FAILED;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? RUN_DONE
+                                                         : RUN_FAILED;
 }
 
 /* All that the child writes, up to `room` bytes. */
@@ -155,8 +160,8 @@ read_line(const char *line, run *r)
 {
     int right, length = 0;
     int found = sscanf(line, "%lf %lf %lf %lf %d %n", &r->times.user,
-                       &r->times.processor, &r->times.wall, &r->times.bytes, &right,
-                       &length);
+                       &r->times.processor, &r->times.wall, &r->times.bytes,
+                       &right, &length);
     if (found != 5 || length == 0 || line[strlen(line) - 1] != '\n')
         return false;
     r->answer.right = right != 0;
@@ -166,7 +171,8 @@ read_line(const char *line, run *r)
 }
 
 run
-measure_peer(const char *program, const char *points, unsigned seconds, bool certify)
+measure_peer(const char *program, const char *points, unsigned seconds,
+             bool certify)
 {
     char line[400];
     pid_t child;
@@ -195,15 +201,17 @@ times_of_children(void)
         clock_gettime(CLOCK_MONOTONIC, &wall) != 0)
         give_up("clock");
     times t = {.bytes = -1};
-    t.user = (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
-    t.processor =
-        t.user + (double)used.ru_stime.tv_sec + 1e-6 * (double)used.ru_stime.tv_usec;
+    t.user = (double)used.ru_utime.tv_sec +
+             1e-6 * (double)used.ru_utime.tv_usec;
+    t.processor = t.user + (double)used.ru_stime.tv_sec +
+                  1e-6 * (double)used.ru_stime.tv_usec;
     t.wall = (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec;
     return t;
 }
 
 run
-measure_program(const char *const *arguments, const char *said, unsigned seconds)
+measure_program(const char *const *arguments, const char *said,
+                unsigned seconds)
 {
     char ignored[1];
     pid_t child;

@@ -6,7 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Seconds on the wall of one run with so many threads; negative when it fails. */
+/* Seconds on the wall of one run with so many threads; negative when it fails.
+ */
 static double
 wall_of_one(const bench *b, const point2 *points, uint32_t n, unsigned threads)
 {
@@ -29,14 +30,17 @@ wall_of_two(const bench *b, const point2 *points, uint32_t n)
         child[k] = fork();
         if (child[k] == 0) {
             double seconds = wall_of_one(b, points, n, 1);
-            _exit(write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 2);
+            _exit(write(ends[1], &seconds, sizeof seconds) == sizeof seconds
+                      ? 0
+                      : 2);
         }
         well = child[k] > 0;
     }
     close(ends[1]);
     for (int k = 0; k < 2 && well; k++) {
         double seconds;
-        well = read(ends[0], &seconds, sizeof seconds) == sizeof seconds && seconds > 0;
+        well = read(ends[0], &seconds, sizeof seconds) == sizeof seconds &&
+               seconds > 0;
         sum += seconds;
     }
     close(ends[0]);
@@ -67,8 +71,8 @@ compare_threads(const bench *b)
     double once = summarize(alone, RUNS).least;
     double speed = once / summarize(threads, RUNS).least;
     double most = 2 * once / summarize(beside, RUNS).least;
-    printf("%s  uniform %lu: two threads are %.2f times as fast as one; two runs at once "
-           "%.2f times: %.2f of that (at least 0.85)\n",
+    printf("%s  uniform %lu: two threads are %.2f times as fast as one; two runs "
+           "at once %.2f times: %.2f of that (at least 0.85)\n",
            speed >= 0.85 * most ? "PASS" : "FAIL", (unsigned long)n, speed, most,
            speed / most);
 }

@@ -7,8 +7,9 @@
 
 #include "tools/bench/bench.h"
 
-/* Two threads on one set of points, against two independent runs at the same time,
- * which is the most that the machine gives: prints a line PASS or FAIL. */
+/* Two threads on one set of points, against two independent runs at the same
+ * time, which is the most that the machine gives: prints a line PASS or FAIL.
+ */
 void compare_threads(const bench *b);
 
 #endif

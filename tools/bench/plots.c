@@ -1,5 +1,6 @@
-/* plots.c - the same numbers for the eye: how the cost of a point grows with their
- * number, and the ratios as bars. Both axes, and the bars, are logarithmic. */
+/* plots.c - the same numbers for the eye: how the cost of a point grows with
+ * their number, and the ratios as bars. Both axes, and the bars, are
+ * logarithmic. */
 #include "tools/bench/bench.h"
 
 #include "lib/svg.h"
@@ -8,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The library draws a plane in which both axes have one scale: a factor of ten is so
- * long in it. */
+/* The library draws a plane in which both axes have one scale: a factor of ten
+ * is so long in it. */
 static const double ACROSS = 100, UP = 60;
 
 enum { COLUMNS = 3 };
 
-/* How far apart a ratio is drawn from 1. No clock is trusted here: a time that was told
- * as 0 must not make the picture infinite. */
+/* How far apart a ratio is drawn from 1. No clock is trusted here: a time that
+ * was told as 0 must not make the picture infinite. */
 static double
 length_of(double ratio, double ten)
 {
@@ -55,7 +56,9 @@ end_file(output *o, const char *name)
 static svg_layout
 layout_for(int panels, double width, double height)
 {
-    svg_layout l = {.columns = COLUMNS, .width = width, .height = height,
+    svg_layout l = {.columns = COLUMNS,
+                    .width = width,
+                    .height = height,
                     .caption_lines = 1};
     if (panels < COLUMNS)
         l.columns = (uint32_t)panels;
@@ -65,19 +68,21 @@ layout_for(int panels, double width, double height)
 
 /* ---- Growth. ---- */
 
-/* The cost of a point, as a multiple of what it costs the yardstick to sort one of the
- * first input at the largest size. */
+/* The cost of a point, as a multiple of what it costs the yardstick to sort one
+ * of the first input at the largest size. */
 static double
 cost(const bench *b, int s, int i, int c)
 {
-    double unit = b->cell[b->sizes - 1][0][0].user.least / b->size[b->sizes - 1];
+    double unit = b->cell[b->sizes - 1][0][0].user.least /
+                  b->size[b->sizes - 1];
     return b->cell[s][i][c].user.least / b->size[s] / unit;
 }
 
 static point2
 place_cost(const bench *b, int s, int i, int c)
 {
-    return (point2){ACROSS * log10(b->size[s]), length_of(cost(b, s, i, c), UP)};
+    return (point2){ACROSS * log10(b->size[s]),
+                    length_of(cost(b, s, i, c), UP)};
 }
 
 /* What all panels show: a frame of whole powers of ten around all costs. */
@@ -113,15 +118,15 @@ draw_axes(const bench *b, svg *page, svg_box box)
     for (int s = 0; s < b->sizes; s++) {
         double x = ACROSS * log10(b->size[s]);
         point2 at = {x, box.min.y + 12};
-        svg_segment(page, (point2){x, box.min.y + 30}, (point2){x, box.max.y - 10},
-                    SVG_FAINT);
+        svg_segment(page, (point2){x, box.min.y + 30},
+                    (point2){x, box.max.y - 10}, SVG_FAINT);
         snprintf(text, sizeof text, "%lu", (unsigned long)b->size[s]);
         svg_text(page, svg_place(page, at), text, SVG_PLAIN);
     }
 }
 
-/* The points of one contender, joined where neighbours have been measured, and its name
- * behind the last one. */
+/* The points of one contender, joined where neighbours have been measured, and
+ * its name behind the last one. */
 static void
 draw_line(const bench *b, svg *page, int i, int c)
 {
@@ -165,7 +170,8 @@ draw_names(const bench *b, svg *page, int i)
         at.x = ACROSS * log10(b->size[b->sizes - 1]);
         point2 middle = svg_place(page, at);
         middle.x += 8 + svg_text_width(b->contender[lowest].name) / 2;
-        svg_text(page, middle, b->contender[lowest].name, style_of(&b->contender[lowest]));
+        svg_text(page, middle, b->contender[lowest].name,
+                 style_of(&b->contender[lowest]));
     }
 }
 
@@ -177,8 +183,9 @@ draw_growth(const bench *b)
     svg_layout layout = layout_for(b->inputs, box.max.x - box.min.x,
                                    box.max.y - box.min.y);
     output o = begin_file(b, "growth.svg");
-    svg_begin(&page, o.file, layout, "What a point costs, over the number of points",
-              "Processor time a point as a multiple of sorting one, logarithmic.");
+    svg_begin(
+        &page, o.file, layout, "What a point costs, over the number of points",
+        "Processor time a point as a multiple of sorting one, logarithmic.");
     for (int i = 0; i < b->inputs; i++) {
         svg_panel(&page, box, 200, b->input[i]->name);
         draw_axes(b, &page, box);
@@ -234,17 +241,20 @@ draw_ratios(const bench *b)
         for (int c = 1; c < b->contenders; c++)
             if (b->cell[s][i][c].state == CELL_MEASURED)
                 most = fmax(most, length_of(b->cell[s][i][c].user.least /
-                                                b->cell[s][i][0].user.least, ACROSS));
+                                                b->cell[s][i][0].user.least,
+                                            ACROSS));
     svg_box box = {{-90, -20.0 * (b->contenders - 1) - 5}, {most + 50, 5}};
     output o = begin_file(b, "ratios.svg");
-    svg_begin(&page, o.file,
-              layout_for(b->inputs, box.max.x - box.min.x, box.max.y - box.min.y),
-              "Times over that of sorting the same points",
-              "A bar for each algorithm and peer, logarithmic: a line stands at each "
-              "power of ten.");
+    svg_begin(
+        &page, o.file,
+        layout_for(b->inputs, box.max.x - box.min.x, box.max.y - box.min.y),
+        "Times over that of sorting the same points",
+        "A bar for each algorithm and peer, logarithmic: a line stands at each "
+        "power of ten.");
     for (int i = 0; i < b->inputs; i++) {
-        snprintf(caption, sizeof caption, "%s, %lu points: time over that of sorting",
-                 b->input[i]->name, (unsigned long)b->size[s]);
+        snprintf(caption, sizeof caption,
+                 "%s, %lu points: time over that of sorting", b->input[i]->name,
+                 (unsigned long)b->size[s]);
         svg_panel(&page, box, 200, caption);
         draw_bars(b, &page, i, most);
     }

@@ -1,5 +1,5 @@
-/* rounds.c - all contenders on one set of points, in turns: A B C A B C. What slows the
- * machine down slows down all of them. */
+/* rounds.c - all contenders on one set of points, in turns: A B C A B C. What
+ * slows the machine down slows down all of them. */
 #include "tools/bench/bench.h"
 
 #include "lib/memory.h"
@@ -10,8 +10,8 @@
 
 /* ---- Measuring. ---- */
 
-/* For more points only the answer of the subject is certified: it takes time, and the
- * tests look at the others. */
+/* For more points only the answer of the subject is certified: it takes time,
+ * and the tests look at the others. */
 enum { MOST_CERTIFIED = 100000 };
 
 /* The times of all runs of one cell. */
@@ -20,8 +20,8 @@ typedef struct samples {
     double spent;
 } samples;
 
-/* Is there no hope that it ends in time? Sorting points is n log n, and all that is done
- * here takes at least as long. */
+/* Is there no hope that it ends in time? Sorting points is n log n, and all
+ * that is done here takes at least as long. */
 static bool
 is_hopeless(const bench *b, int s, int i, int c)
 {
@@ -44,8 +44,8 @@ state_before(const bench *b, int s, int i, int c)
     return is_hopeless(b, s, i, c) ? CELL_HOPELESS : CELL_MEASURED;
 }
 
-/* The slow ones are run once, the fast ones as often as has been asked for. The sorts
- * are run in every round, beside those that are compared with them. */
+/* The slow ones are run once, the fast ones as often as has been asked for. The
+ * sorts are run in every round, beside those that are compared with them. */
 static bool
 wants_run(const bench *b, const contender *who, const cell *c, const samples *v)
 {
@@ -58,7 +58,8 @@ run_once(const bench *b, const contender *who, const point2 *points, uint32_t n,
          const char *path, cell *c, samples *v)
 {
     bool first = c->runs == 0;
-    bool certify = first && (n <= MOST_CERTIFIED || who->algorithm == subject());
+    bool certify = first &&
+                   (n <= MOST_CERTIFIED || who->algorithm == subject());
     run r = who->program[0] != '\0'
                 ? measure_peer(who->program, path, b->seconds, certify)
                 : measure(who->algorithm, NULL, points, n, b->seconds, certify);
@@ -82,15 +83,16 @@ run_once(const bench *b, const contender *who, const point2 *points, uint32_t n,
 static const char *
 name_of_state(cell_state state)
 {
-    static const char *const name[] = {"", "measured", "not run: slow by design",
-                                       "not run: too slow at the size before",
-                                       "stopped at the limit", "failed"};
+    static const char *const name[] = {
+        "", "measured", "not run: slow by design",
+        "not run: too slow at the size before", "stopped at the limit", "failed"};
     return name[state];
 }
 
 /* Over what c has taken, or 0 when that has not been measured. */
 static double
-over(const bench *b, int s, int i, const char *sort, double seconds, bool median)
+over(const bench *b, int s, int i, const char *sort, double seconds,
+     bool median)
 {
     int c = find_contender(b, sort);
     if (c < 0 || b->cell[s][i][c].state != CELL_MEASURED)
@@ -117,10 +119,12 @@ print_row(const bench *b, int s, int i, int k)
         printf(" %s\n", name_of_state(c->state));
         return;
     }
-    printf(" %9.4f %9.4f %9.4f %4u", c->user.least, c->user.median, c->wall.least,
-           c->runs);
-    print_number(over(b, s, i, "yardstick", c->user.least, false), " %9.2f", "         -");
-    print_number(over(b, s, i, "std_sort", c->user.least, false), " %9.2f", "         -");
+    printf(" %9.3f %9.3f %9.3f %4u", 1e3 * c->user.least, 1e3 * c->user.median,
+           1e3 * c->wall.least, c->runs);
+    print_number(over(b, s, i, "yardstick", c->user.least, false), " %9.2f",
+                 "         -");
+    print_number(over(b, s, i, "std_sort", c->user.least, false), " %9.2f",
+                 "         -");
     if (b->contender[k].sorts) /* in place */
         printf("      - ");
     else
@@ -132,15 +136,18 @@ static void
 write_csv_row(const bench *b, int s, int i, int k)
 {
     const cell *c = &b->cell[s][i][k];
-    fprintf(b->csv, "%s,%lu,%s,%s,%u", b->input[i]->name, (unsigned long)b->size[s],
-            b->contender[k].name, name_of_state(c->state), c->runs);
+    fprintf(b->csv, "%s,%lu,%s,%s,%u", b->input[i]->name,
+            (unsigned long)b->size[s], b->contender[k].name,
+            name_of_state(c->state), c->runs);
     if (c->state == CELL_MEASURED) {
-        fprintf(b->csv, ",%.9f,%.9f,%.9f,%.9f,%.9f,%.9f", c->user.least, c->user.median,
-                c->processor.least, c->processor.median, c->wall.least, c->wall.median);
+        fprintf(b->csv, ",%.9f,%.9f,%.9f,%.9f,%.9f,%.9f", c->user.least,
+                c->user.median, c->processor.least, c->processor.median,
+                c->wall.least, c->wall.median);
         for (int k2 = 0; k2 < 4; k2++)
             fprintf(b->csv, ",%.4f",
                     over(b, s, i, k2 < 2 ? "yardstick" : "std_sort",
-                         k2 % 2 == 0 ? c->user.least : c->user.median, k2 % 2 != 0));
+                         k2 % 2 == 0 ? c->user.least : c->user.median,
+                         k2 % 2 != 0));
         fprintf(b->csv, ",%.1f,\"%s\"\n", c->bytes_per_point, c->answer.text);
     } else {
         fputs(",,,,,,,,,,,,\n", b->csv);
@@ -164,9 +171,9 @@ close_block(bench *b, int s, int i, samples *v)
         }
         well = well && (peer || row[c].state != CELL_FAILED);
     }
-    printf("\n%s, %lu points\n  %-12s %9s %9s %9s %4s %9s %9s %6s\n", b->input[i]->name,
-           (unsigned long)b->size[s], "", "user s", "median", "wall s", "runs",
-           "/yardst.", "/std_sort", "bytes");
+    printf("\n%s, %lu points\n  %-12s %9s %9s %9s %4s %9s %9s %6s\n",
+           b->input[i]->name, (unsigned long)b->size[s], "", "user ms",
+           "median", "wall ms", "runs", "/yardst.", "/std_sort", "bytes");
     for (int c = 0; c < b->contenders; c++) {
         print_row(b, s, i, c);
         write_csv_row(b, s, i, c);
@@ -187,7 +194,8 @@ measure_block(bench *b, int s, int i)
     write_point_file(path, points, n);
     for (int c = 0; c < b->contenders; c++) {
         v[c].spent = 0;
-        row[c] = (cell){.state = state_before(b, s, i, c), .bytes_per_point = -1};
+        row[c] = (cell){.state = state_before(b, s, i, c),
+                        .bytes_per_point = -1};
     }
     for (unsigned round = 0; round < b->runs; round++)
         for (int c = 0; c < b->contenders; c++)
@@ -221,8 +229,9 @@ has_column(const bench *b, int s, int c)
 void
 print_summary(const bench *b, int s)
 {
-    printf("\n%lu points: user time over that of the yardstick, least of all runs\n%-11s",
-           (unsigned long)b->size[s], "");
+    printf("\n%lu points: user time over that of the yardstick, least of all runs",
+           (unsigned long)b->size[s]);
+    printf("\n%-11s", "");
     for (int c = 1; c < b->contenders; c++)
         if (has_column(b, s, c))
             printf(" %*s", width_of(&b->contender[c]), b->contender[c].name);
@@ -241,5 +250,5 @@ print_summary(const bench *b, int s)
                 printf(" %*s", width, k->state == CELL_FAILED ? "failed" : "-");
         }
     }
-    printf("\n(! the answer is not right; - not run, or stopped: above it says why)\n");
+    printf("\n(! the answer is not right; - not run, or stopped: see above)\n");
 }

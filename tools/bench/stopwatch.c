@@ -7,8 +7,8 @@
 #include <sys/resource.h>
 #include <time.h>
 
-/* Systems tell apart what is a program's own and what is theirs by looking a few hundred
- * times a second: a shorter time is not divided. */
+/* Systems tell apart what is a program's own and what is theirs by looking a
+ * few hundred times a second: a shorter time is not divided. */
 static const double LEAST_SPLIT = 0.15;
 
 static double
@@ -17,9 +17,9 @@ seconds_of(struct timeval t)
     return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
 }
 
-/* What Linux says of this process in the line that begins with `name`, in bytes;
- * -1 where there is no such file. (getrusage tells the peak in units that differ
- * between systems.) */
+/* What Linux says of this process in the line that begins with `name`, in
+ * bytes; -1 where there is no such file. (getrusage tells the peak in units
+ * that differ between systems.) */
 static double
 memory_said(const char *name)
 {
@@ -35,8 +35,8 @@ memory_said(const char *name)
     return kilobytes < 0 ? -1 : 1024 * kilobytes;
 }
 
-/* The most memory from now on is no longer that of what was before; false where this
- * cannot be asked for. */
+/* The most memory from now on is no longer that of what was before; false where
+ * this cannot be asked for. */
 static bool
 forget_most_memory(void)
 {
@@ -78,7 +78,8 @@ bool
 stopwatch_again(stopwatch *w)
 {
     w->rounds++;
-    return w->rounds < w->most && now().processor - w->start.processor < w->least;
+    return w->rounds < w->most &&
+           now().processor - w->start.processor < w->least;
 }
 
 times

@@ -9,10 +9,11 @@
 /* ---- Lines. ---- */
 
 static void
-print_line(bool passes, const char *what, double seen, const char *aim, double limit)
+print_line(bool passes, const char *what, double seen, const char *aim,
+           double limit)
 {
-    printf("%s  %-58s %6.2f  (%s %.2f)\n", passes ? "PASS" : "FAIL", what, seen, aim,
-           limit);
+    printf("%s  %-58s %6.2f  (%s %.2f)\n", passes ? "PASS" : "FAIL", what, seen,
+           aim, limit);
 }
 
 static void
@@ -33,19 +34,21 @@ not_seen(const char *what)
     printf("----  %-58s not measured\n", what);
 }
 
-/* How many times the user time of `slow` is that of `fast`; 0 when not measured. */
+/* How many times the user time of `slow` is that of `fast`; 0 when not
+ * measured. */
 static double
 times_as_long(const bench *b, uint32_t n, const char *input, const char *slow,
               const char *fast)
 {
-    const cell *s = find_cell(b, n, input, slow), *f = find_cell(b, n, input, fast);
+    const cell *s = find_cell(b, n, input, slow),
+               *f = find_cell(b, n, input, fast);
     return s != NULL && f != NULL ? s->user.least / f->user.least : 0;
 }
 
 /* ---- Seen in the table. ---- */
 
 static const char *const seven[] = {"uniform", "normal", "clusters", "grid",
-                                    "circle", "kuzmin", "near-line"};
+                                    "circle",  "kuzmin", "near-line"};
 enum { SEVEN = sizeof seven / sizeof seven[0] };
 
 /* A peer that was stopped has taken at least as long as it was allowed. */
@@ -72,7 +75,8 @@ compare_with_sorting(const bench *b, uint32_t n)
 {
     char what[100];
     double ratio = times_as_long(b, n, "uniform", subject()->name, "std_sort");
-    snprintf(what, sizeof what, "uniform %lu: ours over std::sort", (unsigned long)n);
+    snprintf(what, sizeof what, "uniform %lu: ours over std::sort",
+             (unsigned long)n);
     if (ratio == 0)
         not_seen(what);
     else
@@ -87,7 +91,8 @@ compare_with_uniform(const bench *b, uint32_t n)
     const cell *uniform = find_cell(b, n, "uniform", subject()->name);
     for (int i = 0; i < 2; i++) {
         const cell *c = find_cell(b, n, input[i], subject()->name);
-        snprintf(what, sizeof what, "%s %lu: over uniform", input[i], (unsigned long)n);
+        snprintf(what, sizeof what, "%s %lu: over uniform", input[i],
+                 (unsigned long)n);
         if (c == NULL || uniform == NULL)
             not_seen(what);
         else
@@ -98,11 +103,13 @@ compare_with_uniform(const bench *b, uint32_t n)
 static void
 look_at_memory(const bench *b)
 {
-    static const char what[] = "bytes a point, the most on all inputs from 100000 points";
+    static const char what[] =
+        "bytes a point, the most on all inputs from 100000 points";
     double most = -1;
     for (int s = 0; s < b->sizes; s++)
         for (int i = 0; i < b->inputs && b->size[s] >= 100000; i++) {
-            const cell *c = find_cell(b, b->size[s], b->input[i]->name, subject()->name);
+            const cell *c = find_cell(b, b->size[s], b->input[i]->name,
+                                      subject()->name);
             if (c != NULL && c->bytes_per_point > most)
                 most = c->bytes_per_point;
         }
@@ -135,13 +142,14 @@ look_at_table(const bench *b)
 
 /* ---- Measured for the purpose. ---- */
 
-/* The whole program, from a text of a million points to an .ele file, and the work in
- * memory, in turns. */
+/* The whole program, from a text of a million points to an .ele file, and the
+ * work in memory, in turns. */
 static void
 compare_with_text(const bench *b)
 {
     enum { RUNS = 3 };
-    static const char what[] = "uniform 1000000: text to .ele, over the work in memory";
+    static const char what[] =
+        "uniform 1000000: text to .ele, over the work in memory";
     const uint32_t n = 1000000;
     char tri[400], in[400], out[400], said[400];
     snprintf(tri, sizeof tri, "%s/../tri", b->folder);
@@ -155,8 +163,9 @@ compare_with_text(const bench *b)
     text_write_points(o.file, points, n, 0);
     if (output_commit(&o) != TRI_OK)
         refuse("cannot write", in);
-    const char *const words[] = {tri, "triangulate", "--algorithm", subject()->name,
-                                   "-o", out, in, NULL};
+    const char *const words[] =
+        {tri, "triangulate", "--algorithm", subject()->name, "-o", out,
+         in,  NULL};
     double text[RUNS], memory[RUNS];
     bool well = true;
     for (int k = 0; k < RUNS; k++) {
@@ -170,7 +179,8 @@ compare_with_text(const bench *b)
     remove(in);
     remove(out);
     if (well)
-        at_most(what, summarize(text, RUNS).least / summarize(memory, RUNS).least, 3);
+        at_most(what,
+                summarize(text, RUNS).least / summarize(memory, RUNS).least, 3);
     else
         not_seen(what);
 }
@@ -185,7 +195,8 @@ look_at_hard_inputs(const bench *b)
     print_hard(result, POINTS);
     printf("\n");
     for (int k = 1; k < HARD_INPUTS; k++) {
-        snprintf(what, sizeof what, "%s %d: over uniform", result[k].input->name, POINTS);
+        snprintf(what, sizeof what, "%s %d: over uniform",
+                 result[k].input->name, POINTS);
         if (result[k].end == RUN_DONE && result[0].end == RUN_DONE)
             at_most(what, result[k].seconds / result[0].seconds, 3);
         else

@@ -2,9 +2,10 @@
  *
  *     tiers ALGORITHM POINTS
  *
- * prints in one line: orientation tests, incircle tests, other questions; then how many
- * determinants the filter left to each step of exact.c, and how many were 0. It is linked
- * with the counted library; the benchmark itself is not, since counting takes time.
+ * prints in one line: orientation tests, incircle tests, other questions; then
+ * how many determinants the filter left to each step of exact.c, and how many
+ * were 0. It is linked with the counted library; the benchmark itself is not,
+ * since counting takes time.
  */
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/contents.h"
@@ -32,10 +33,12 @@ main(int argc, char **argv)
     if (a->triangulate(in.points, in.count, NULL, &m) != TRI_OK)
         return 1;
     predicate_counts c = predicate_count;
-    uint64_t others = c.orient3d + c.compare_along + c.compare_distance + c.dot_sign;
-    printf("%" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64
-           " %" PRIu64 "\n",
-           c.orient2d, c.incircle, others, c.signs, c.expansions, c.wide, c.zeros);
+    uint64_t others = c.orient3d + c.compare_along + c.compare_distance +
+                      c.dot_sign;
+    printf("%" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64 " %" PRIu64
+           " %" PRIu64 " %" PRIu64 "\n",
+           c.orient2d, c.incircle, others, c.signs, c.expansions, c.wide,
+           c.zeros);
     mesh_free(&m);
     text_points_free(&in);
     return 0;

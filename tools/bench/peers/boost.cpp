@@ -1,7 +1,8 @@
-// boost.cpp - Boost.Polygon (Sydorchuk): Fortune's sweep line, exact for integers.
+// boost.cpp - Boost.Polygon (Sydorchuk): Fortune's sweep line, exact for
+// integers.
 //
-// Needs: a compiler for C++ and the package libboost-dev. The points are multiplied by a
-// power of two and rounded to integers of 31 bits.
+// Needs: a compiler for C++ and the package libboost-dev. The points are
+// multiplied by a power of two and rounded to integers of 31 bits.
 #include <algorithm>
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
@@ -24,11 +25,14 @@ bool peer_prepare(const point2 *given, uint32_t n, std::size_t)
     double largest = 0;
     int exponent;
     for (uint32_t i = 0; i < n; i++)
-        largest = std::max({largest, std::fabs(given[i].x), std::fabs(given[i].y)});
+        largest = std::max(
+            {largest, std::fabs(given[i].x), std::fabs(given[i].y)});
     std::frexp(largest, &exponent);
     for (uint32_t i = 0; i < n; i++)
-        points.emplace_back(int(std::lrint(std::ldexp(given[i].x, 30 - exponent))),
-                            int(std::lrint(std::ldexp(given[i].y, 30 - exponent))));
+        points.emplace_back(int(std::lrint(
+                                std::ldexp(given[i].x, 30 - exponent))),
+                            int(std::lrint(
+                                std::ldexp(given[i].y, 30 - exponent))));
     return true;
 }
 
@@ -39,7 +43,8 @@ bool peer_round()
     return true;
 }
 
-// A vertex of the diagram is a polygon of the Delaunay subdivision: a fan of triangles.
+// A vertex of the diagram is a polygon of the Delaunay subdivision: a fan of
+// triangles.
 bool peer_result(peer_answer *out)
 {
     std::size_t room = 0, n = points.size();

@@ -1,5 +1,5 @@
-// cgal.cpp - CGAL, 2D Triangulations (Yvinec): incremental insertion along a space-filling
-// curve, with exact predicates.
+// cgal.cpp - CGAL, 2D Triangulations (Yvinec): incremental insertion along a
+// space-filling curve, with exact predicates.
 //
 // Needs: a compiler for C++ and the package libcgal-dev.
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -46,7 +46,9 @@ bool peer_result(peer_answer *out)
     });
     auto index = [&](const point &p) {
         return *std::lower_bound(order.begin(), order.end(), p,
-                                 [](vertex_id i, const point &q) { return points[i] < q; });
+                                 [](vertex_id i, const point &q) {
+                                     return points[i] < q;
+                                 });
     };
     std::size_t triangles = made->number_of_faces(), t = 0;
     out->list.count = static_cast<uint32_t>(triangles);
@@ -54,7 +56,8 @@ bool peer_result(peer_answer *out)
         memory_array(triangles, sizeof *out->list.corner));
     if (out->list.corner == nullptr)
         return false;
-    for (auto f = made->finite_faces_begin(); f != made->finite_faces_end(); ++f, ++t)
+    for (auto f = made->finite_faces_begin(); f != made->finite_faces_end();
+         ++f, ++t)
         for (int i = 0; i < 3; i++)
             out->list.corner[t][i] = index(f->vertex(i)->point());
     return true;

@@ -1,4 +1,5 @@
-/* main.c - reads the points, runs the peer on the clock, certifies what it has made. */
+/* main.c - reads the points, runs the peer on the clock, certifies what it has
+ * made. */
 #include "lib/memory.h"
 #include "lib/textio.h"
 #include "tools/bench/certify.h"
@@ -17,9 +18,11 @@ certify(const text_points *in)
     if (made.sorted)
         return certify_sorted(made.points, in->count);
     bool rounded = made.points != NULL;
-    a = certify_triangles(rounded ? made.points : in->points, in->count, made.list, true);
+    a = certify_triangles(rounded ? made.points : in->points, in->count,
+                          made.list, true);
     if (a.right && rounded)
-        snprintf(a.text, sizeof a.text, "Delaunay, of the points rounded to integers");
+        snprintf(a.text, sizeof a.text,
+                 "Delaunay, of the points rounded to integers");
     memory_free(made.points);
     triangle_list_free(&made.list);
     return a;
@@ -50,8 +53,8 @@ main(int argc, char **argv)
     times t = stopwatch_stop(&w);
     if (argc == 3)
         a = certify(&in);
-    printf("%.9f %.9f %.9f %.0f %d %s\n", t.user, t.processor, t.wall, t.bytes, a.right,
-           a.text);
+    printf("%.9f %.9f %.9f %.0f %d %s\n", t.user, t.processor, t.wall, t.bytes,
+           a.right, a.text);
     text_points_free(&in);
     return 0;
 }

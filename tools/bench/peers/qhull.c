@@ -1,5 +1,6 @@
-/* qhull.c - Qhull (Barber, Dobkin, Huhdanpaa 1996): the hull of the lifted points, in
- * rounded arithmetic; what is nearly coplanar is merged, and triangulated at the end.
+/* qhull.c - Qhull (Barber, Dobkin, Huhdanpaa 1996): the hull of the lifted
+ * points, in rounded arithmetic; what is nearly coplanar is merged, and
+ * triangulated at the end.
  *
  * Needs: the package libqhull-dev.
  */
@@ -13,7 +14,7 @@ static const point2 *points;
 static int count;
 static qhT hull;
 static bool made;
-static FILE *advice; /* where Qhull says, on a page each time, why it has failed */
+static FILE *advice; /* Qhull's page or two of why it has failed */
 
 bool
 peer_prepare(const point2 *given, uint32_t n, size_t rounds)
@@ -33,7 +34,8 @@ free_hull(void)
     qh_memfreeshort(&hull, &blocks, &bytes);
 }
 
-/* Qhull changes the points that it is given only with options that are not these. */
+/* Qhull changes the points that it is given only with options that are not
+ * these. */
 bool
 peer_round(void)
 {
@@ -42,12 +44,13 @@ peer_round(void)
         free_hull();
     made = true;
     qh_zero(&hull, advice);
-    return qh_new_qhull(&hull, 2, count, (coordT *)(uintptr_t)points, False, command,
-                        NULL, advice) == 0;
+    return qh_new_qhull(&hull, 2, count, (coordT *)(uintptr_t)points, False,
+                        command, NULL, advice) == 0;
 }
 
-/* The lower side of the hull. Qhull names corners by the sign of the facet (toporient):
- * the order that is counterclockwise seen from above the paraboloid. */
+/* The lower side of the hull. Qhull names corners by the sign of the facet
+ * (toporient): the order that is counterclockwise seen from above the
+ * paraboloid. */
 bool
 peer_result(peer_answer *out)
 {
