@@ -345,6 +345,31 @@ count_flip(trace *self, const mesh *m, const trace_event *event)
     return 0;
 }
 
+/* Two panels: a sweep along d with the caption `before`, and what Figure 10 makes of
+ * it, with `after` and the number of flips. */
+static void
+draw_before_and_after(svg *page, const point2 *points, uint32_t n, point2 d,
+                      const char *before, const char *after)
+{
+    flip_counter counter = {{count_flip}, 0};
+    tri_options options = tri_options_default();
+    options.direction = d;
+    options.trace = &counter.base;
+    mesh swept, flipped;
+    must(sweep_triangulate(points, n, &options, &swept), before);
+    must(lawson_triangulate(points, n, &options, &flipped), before);
+    char caption[100];
+    snprintf(caption, sizeof caption, "%s%u flips later", after,
+             (unsigned)counter.flips);
+    for (int i = 0; i < 2; i++) {
+        svg_panel(page, svg_box_of(points, n), n, i == 0 ? before : caption);
+        svg_mesh(page, points, i == 0 ? &swept : &flipped);
+        svg_points(page, points, n, SVG_PLAIN);
+    }
+    mesh_free(&swept);
+    mesh_free(&flipped);
+}
+
 static void
 draw_ladder(FILE *file)
 {
@@ -356,11 +381,7 @@ draw_ladder(FILE *file)
     /* A line moving up, and a little to the left, meets the upper points from
      * the right: the first sees all lower edges, each later one the edge to
      * (0,0). */
-    flip_counter counter = {{count_flip}, 0};
-    tri_options options = tri_options_default();
-    options.direction = (point2){-1, 100};
-    options.trace = &counter.base;
-
+    const point2 up = {-1, 100};
     svg page;
     svg_begin(
         &page, file, (svg_layout){1, 2, 640, 110, 1},
@@ -368,23 +389,10 @@ draw_ladder(FILE *file)
         "Points on two parallel lines. First all lower edges are joined to "
         "the rightmost upper point and all upper edges to the leftmost lower "
         "one; in the Delaunay triangulation neighbours are joined.");
-    svg_box box = svg_box_of(points, LADDER_POINTS);
-    for (int i = 0; i < 2; i++) {
-        mesh m;
-        must(i == 0 ? sweep_triangulate(points, LADDER_POINTS, &options, &m)
-                    : lawson_triangulate(points, LADDER_POINTS, &options, &m),
-             "ladder");
-        char caption[100];
-        snprintf(caption, sizeof caption,
-                 i == 0
-                     ? "the ladder with m = %d"
-                     : "its Delaunay triangulation, m\302\262 = %u flips later",
-                 i == 0 ? RUNGS : (int)counter.flips);
-        svg_panel(&page, box, LADDER_POINTS, caption);
-        svg_mesh(&page, points, &m);
-        svg_points(&page, points, LADDER_POINTS, SVG_PLAIN);
-        mesh_free(&m);
-    }
+    char before[80];
+    snprintf(before, sizeof before, "the ladder with m = %d", RUNGS);
+    draw_before_and_after(&page, points, LADDER_POINTS, up, before,
+                          "its Delaunay triangulation, m\302\262 = ");
     svg_end(&page);
 }
 
@@ -496,9 +504,6 @@ draw_many(FILE *file)
     random_source source = random_from_seed(23);
     for (int i = 0; i < MANY; i++)
         points[i] = random_point(&source);
-    flip_counter counter = {{count_flip}, 0};
-    tri_options options = tri_options_default();
-    options.trace = &counter.base;
 
     svg page;
     svg_begin(&page, file, (svg_layout){2, 1, 400, 400, 1},
@@ -506,21 +511,7 @@ draw_many(FILE *file)
               "The same points twice: triangulated by a sweep, with long "
               "thin triangles, and after all flips, with small angles "
               "avoided and neighbours joined.");
-    svg_box box = svg_box_of(points, MANY);
-    for (int i = 0; i < 2; i++) {
-        mesh m;
-        must(i == 0 ? sweep_triangulate(points, MANY, &options, &m)
-                    : lawson_triangulate(points, MANY, &options, &m),
-             "two hundred points");
-        char caption[100] = "a sweep";
-        if (i > 0)
-            snprintf(caption, sizeof caption, "%u flips later",
-                     (unsigned)counter.flips);
-        svg_panel(&page, box, MANY, caption);
-        svg_mesh(&page, points, &m);
-        svg_points(&page, points, MANY, SVG_PLAIN);
-        mesh_free(&m);
-    }
+    draw_before_and_after(&page, points, MANY, (point2){1, 0}, "a sweep", "");
     svg_end(&page);
 }
 
