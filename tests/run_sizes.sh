@@ -21,6 +21,8 @@ table() {
  100000 incremental walk     uniform kuzmin
 1000000 lawson      -        uniform normal clusters circle kuzmin near-line
  100000 lawson      -        grid spiral
+1000000 fast        -        uniform normal clusters grid circle kuzmin near-line
+1000000 fast        -        collinear parabola ladder spiral
   10000 lawson      -        parabola
 END
 }
