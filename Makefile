@@ -33,7 +33,7 @@ JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
 GRADE    := $(filter-out $(JAIL),$(wildcard tools/grade/*.c)) \
             $(addprefix tools/handout/,basics.c exercises.c scan.c)
 COMPARE  := tools/compare/contestants.c tools/tri/distributions.c
-HANDOUT  := $(filter-out %/splice.c %/traces.c,$(wildcard tools/handout/*.c))
+HANDOUT  := $(filter-out %/splice.c %/traces.c %/questions.c,$(wildcard tools/handout/*.c))
 SPLICE   := $(addprefix tools/handout/,basics.c exercises.c rewrite.c scan.c splice.c)
 TOOLS    := $(patsubst tools/%.c,%,$(wildcard tools/*.c))
 CHECKS   := $(patsubst tools/checks/%.c,%,$(wildcard tools/checks/[0-9]*.c))
@@ -112,7 +112,7 @@ $(BUILD)/handout: $(HANDOUT:%.c=$(BUILD)/posix/%.o) | $(BUILD)/weave $(BUILD)/si
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@
 
-$(BUILD)/traces: $(BUILD)/posix/tools/handout/traces.o $(BUILD)/libtri.a
+$(BUILD)/traces: $(addprefix $(BUILD)/posix/tools/handout/,traces.o questions.o) $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 

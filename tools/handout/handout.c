@@ -126,8 +126,8 @@ main(int argc, char **argv)
     handout_weave(&h);
     const char *missing = handout_unchecked(&h);
     if (*missing != '\0')
-        fprintf(stderr, "%s: there is no check of section %s yet: the tree has the exercises, "
-                "but nothing is said about them\n", h.name, missing);
+        fprintf(stderr, "%s: there is no check of section %s yet: the tree has the "
+                "exercises, but nothing is said about them\n", h.name, missing);
     handout_prove_nothing_leaks(&h);
     if (r.prove)
         handout_prove(&h);

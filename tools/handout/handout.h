@@ -10,7 +10,7 @@ typedef struct handout {
     const char *name;     /* "W3", "2.3" or "2.3-b" */
     const char *variant;  /* "" if none */
     const char *student;  /* whose questions are in answers.txt; "" if nobody's */
-    const char *sections; /* whose code is in the tree, in words, in the order of the notes */
+    const char *sections; /* whose code is in the tree, in words */
     tree tree;
     const char *weave;    /* the program that fills the quotes */
     const char *signs;    /* the program that makes the instances of 3.4 */
@@ -38,7 +38,8 @@ void handout_weave(handout *h);
 /* The questions of the student (files.c). */
 void handout_ask(handout *h);
 
-/* Sections without a checker, in words: what is asked there cannot be graded yet (files.c). */
+/* Sections without a checker, in words: what is asked there cannot be graded yet
+ * (files.c). */
 const char *handout_unchecked(const handout *h);
 
 /* Refuses unless all that is promised is true (proof.c). */

@@ -24,8 +24,7 @@ taken_out(const handout *h, const char *path, const char *name, bool *helper)
     return NULL;
 }
 
-/* What stands in the place of the quote with this address, <!-- code: PATH NAME "LABEL" -->;
- * NULL if it can stay. */
+/* What stands in the place of the quote with this address; NULL if it can stay. */
 static const char *
 instead_of_quote(const handout *h, const char *line)
 {
@@ -56,7 +55,8 @@ target_path(const char *page, const char *target)
     return *folder != '\0' ? format("%s/%s", folder, target) : target;
 }
 
-/* Writes the line; a link that leads nowhere becomes its text, a picture that is not there goes. */
+/* Writes the line; a link that leads nowhere becomes its text, and a picture that is not
+ * there goes. */
 static void
 write_line(FILE *out, const handout *h, const char *page, const char *line)
 {
@@ -283,8 +283,8 @@ variant_text(const handout *h)
         refuse("docs/assignments.ini has no variant %s", h->variant);
     if (*asked == '\0')
         refuse("no exercise of %s is asked in the variant %s", h->name, h->variant);
-    return format("## This is a variant\n\nIn %s: %s\n\nWhere the pages and the contracts say something else, this "
-                  "paragraph is right.\n\n", asked, text);
+    return format("## This is a variant\n\nIn %s: %s\n\nWhere the pages and the contracts "
+                  "say something else, this paragraph is right.\n\n", asked, text);
 }
 
 static const char *

@@ -281,7 +281,8 @@ write_renamed(FILE *out, const graft *g, size_t begin, size_t end)
                 k++;
         }
         for (size_t j = 0; length > 0 && j < g->from.items; j++)
-            if (g->fate[j] == RENAMED && item_is(&g->from, &g->from.item[j], text + i, length)) {
+            if (g->fate[j] == RENAMED &&
+                item_is(&g->from, &g->from.item[j], text + i, length)) {
                 fprintf(out, "reference_%s_", g->functions);
                 break;
             }

@@ -5,7 +5,8 @@
  *
  * REFERENCE and STUDENT are roots of trees; the first has the exercises.ini. All the
  * exercises belong to one file; what results from the two versions of it is
- * printed. So one mistake is not punished twice: 2.3-c can be tried with the reference's 2.3-b.
+ * printed. So one mistake is not punished twice: 2.3-c can be tried with the
+ * reference's 2.3-b.
  *
  * Exit status: 0 printed; 1 it cannot be done, standard error says why; 2 the program
  * cannot run.

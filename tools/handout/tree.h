@@ -24,8 +24,8 @@ tree_file *tree_find(const tree *t, const char *path);
 /* A text at this path, instead of what is there. */
 void tree_put(tree *t, const char *path, const char *text);
 
-/* The project's file, if there is one and the tree has none there yet. Returns whether the tree
- * has one now. */
+/* The project's file, if there is one and the tree has none there yet. Returns whether
+ * the tree has one now. */
 bool tree_copy(tree *t, const char *root, const char *from, const char *to);
 
 /* The same for all files that match the pattern; `from` at the beginning of their
