@@ -44,6 +44,17 @@ mesh_free(mesh *m)
     *m = (mesh){0};
 }
 
+tri_status
+mesh_finish(mesh *m, tri_status status)
+{
+    m->trace = NULL;
+    if (status == TRI_OK && m->cancelled)
+        status = TRI_CANCELLED;
+    if (status != TRI_OK)
+        mesh_free(m);
+    return status;
+}
+
 halfedge_id
 mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c)
 {

@@ -199,6 +199,11 @@ tri_status mesh_init(mesh *m, uint32_t points, uint32_t locations);
 /* Frees the arrays and zeroes *m; a zeroed mesh is accepted. */
 void mesh_free(mesh *m);
 
+/* What an algorithm ends with: nobody watches *m any longer. Returns the status, or
+ * TRI_CANCELLED where the observer has stopped what would be TRI_OK; on any other than
+ * TRI_OK *m is freed. */
+tri_status mesh_finish(mesh *m, tri_status status);
+
 /* A new triangle in the next free slot; returns the half-edge from a to b. Its
  * sides are not linked yet. Requires: room. */
 halfedge_id mesh_add_triangle(mesh *m, vertex_id a, vertex_id b, vertex_id c);

@@ -140,14 +140,9 @@ sweep_triangulate(const point2 *points, uint32_t n, const tri_options *options,
     if (status == TRI_OK) {
         out->trace = used.trace;
         sweep(out, points, L);
-        out->trace = NULL;
-        if (out->cancelled)
-            status = TRI_CANCELLED;
     }
     memory_free(L);
-    if (status != TRI_OK)
-        mesh_free(out);
-    return status;
+    return mesh_finish(out, status);
 }
 
 /* ---- The hull, read off the mesh. ---- */

@@ -152,14 +152,9 @@ lawson_triangulate(const point2 *points, uint32_t n, const tri_options *options,
         out->trace = options != NULL ? options->trace : NULL;
         push_all_edges(&L);
         lawson_flip(&L, points);
-        out->trace = NULL;
         edge_stack_free(&L);
-        if (out->cancelled)
-            status = TRI_CANCELLED;
     }
-    if (status != TRI_OK)
-        mesh_free(out);
-    return status;
+    return mesh_finish(out, status);
 }
 
 /* ---- Certifying: Theorem 3 as a check. ---- */

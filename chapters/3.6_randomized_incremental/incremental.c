@@ -152,7 +152,7 @@ incremental_flip(mesh *D, const point2 *points, const vertex_id *order,
         status = edge_stack_init(&L, D);
     if (status == TRI_OK) {
         insert_all(D, points, order, &T, &L);
-        status = D->cancelled ? TRI_CANCELLED : T.status;
+        status = T.status;
     }
     edge_stack_free(&L);
     locator_free(&T);
@@ -167,11 +167,7 @@ insert_in_order(const point2 *points, uint32_t n, const vertex_id *order,
     if (status != TRI_OK)
         return status;
     out->trace = options->trace;
-    status = incremental_flip(out, points, order, options->locator);
-    out->trace = NULL;
-    if (status != TRI_OK)
-        mesh_free(out);
-    return status;
+    return mesh_finish(out, incremental_flip(out, points, order, options->locator));
 }
 
 /* ---- The order. ---- */

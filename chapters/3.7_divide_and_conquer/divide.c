@@ -125,12 +125,7 @@ divide_triangulate(const point2 *points, uint32_t n, const tri_options *options,
             divide(out, points, L, locations);
         else
             divide_in_turn(out, points, L, locations, used.direction, &random);
-        out->trace = NULL;
-        if (out->cancelled)
-            status = TRI_CANCELLED;
     }
     memory_free(L);
-    if (status != TRI_OK)
-        mesh_free(out);
-    return status;
+    return mesh_finish(out, status);
 }
