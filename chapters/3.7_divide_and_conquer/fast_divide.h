@@ -19,7 +19,7 @@
  * made and thrown away in an order that no observer could follow, so with a trace (or
  * more than MESH_MOST_LOCATIONS points, most of them duplicates) the work is done by
  * divide_triangulate.
- * Statuses and conventions: lib/options.h. Cost: O(n log n); 124 bytes a point, the
+ * Statuses and conventions: lib/options.h. Cost: O(n log n); 100 bytes a point, the
  * mesh included.
  * Source: Guibas and Stolfi 1985; alternating cuts: Dwyer 1987.
  */
