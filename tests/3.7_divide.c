@@ -59,7 +59,8 @@ check_tangent(const watcher *w, vertex_id a, vertex_id b)
         int side = orient2d(from, to, p);
         CLAIM("sec3.7.P1", side >= 0, "%u lies below %u %u", w->L[i], a, b);
         CLAIM("sec3.7.P1", side > 0 || compare_along(w->d, p, from) <= 0 ||
-              compare_along(w->d, to, p) <= 0, "%u lies between %u and %u", w->L[i], a, b);
+              compare_along(w->d, to, p) <= 0, "%u lies between %u and %u",
+              w->L[i], a, b);
     }
 }
 
@@ -131,7 +132,8 @@ hull_size_at(const mesh *m, vertex_id v)
     return size;
 }
 
-/* P6: triangles number `first` and up are a Delaunay triangulation of L[0 .. count-1]. */
+/* P6: triangles number `first` and up are a Delaunay triangulation of
+ * L[0 .. count-1]. */
 static void
 check_part(const mesh *m, const watcher *w)
 {
@@ -176,8 +178,8 @@ check_cost(const watcher *w, cost before, uint32_t hull_after, uint64_t tangent)
     CLAIM("sec3.7.P2", tangent <= 2 * (uint64_t)before.hull + 2,
           "%u tests for the tangent", (unsigned)tangent);
     CLAIM("sec3.7.P8", k + hull_after == d + before.hull + 2,
-          "%u new triangles, %u gone, %u and %u hull edges", w->new, w->gone, before.hull,
-          hull_after);
+          "%u new triangles, %u gone, %u and %u hull edges", w->new, w->gone,
+          before.hull, hull_after);
     CLAIM("sec3.7.P9", orient == tangent + 2 * (k + 1) + d, "%u orientation tests",
           (unsigned)orient);
     CLAIM("sec3.7.P9", circle <= 3 * k + d, "%u incircle tests", (unsigned)circle);
@@ -327,7 +329,8 @@ the_result_is_delaunay(const point2 *points, uint32_t n)
         claim_verdict("sec3.7.P12", v);
     uint32_t h = mesh_hull_size(&m);
     CLAIM("sec3.7.P6", m.locations < 2 || list.count + h + 2 == 2 * m.locations,
-          "%u triangles and %u hull edges for %u locations", list.count, h, m.locations);
+          "%u triangles and %u hull edges for %u locations", list.count, h,
+          m.locations);
     triangle_list_free(&list);
     mesh_free(&m);
 }
@@ -428,7 +431,8 @@ n_log_n_tests(const point2 *points, uint32_t n)
     tri_options options = some_options();
     uint64_t orient = predicate_count.orient2d, circle = predicate_count.incircle;
     mesh m;
-    CLAIM("sec3.7.P10", divide_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.7.P10", divide_triangulate(points, n, &options, &m) == TRI_OK,
+          "no mesh");
     orient = predicate_count.orient2d - orient;
     circle = predicate_count.incircle - circle;
     uint64_t u = m.locations, levels = 0;
@@ -437,7 +441,8 @@ n_log_n_tests(const point2 *points, uint32_t n)
         levels++;
     CLAIM("sec3.7.P10", orient <= 8 * u * levels && circle <= 8 * u * levels,
           "%llu orientation and %llu incircle tests for %llu points",
-          (unsigned long long)orient, (unsigned long long)circle, (unsigned long long)u);
+          (unsigned long long)orient, (unsigned long long)circle,
+          (unsigned long long)u);
 }
 
 /* P13: the selected point, and what lies before and behind it. */
@@ -446,7 +451,8 @@ selecting_is_sorting_in_one_place(const point2 *points, uint32_t n)
 {
     point2 d = random_direction();
     uint32_t u = 0;
-    vertex_id *L = in_order(points, n, d, &u), *sorted = malloc((n + 1) * sizeof *sorted);
+    vertex_id *L = in_order(points, n, d, &u);
+    vertex_id *sorted = malloc((n + 1) * sizeof *sorted);
     random_source *r = test_random_source();
     for (uint32_t i = 0; i < u; i++)
         sorted[i] = L[i];
@@ -516,7 +522,8 @@ sort_slowly(const point2 *points, vertex_id *L, uint32_t count, point2 d)
 
 /* What P18 says about them. */
 static void
-expect_cuts(first_edges *e, const point2 *points, vertex_id *L, uint32_t count, point2 d)
+expect_cuts(first_edges *e, const point2 *points, vertex_id *L, uint32_t count,
+            point2 d)
 {
     sort_slowly(points, L, count, d);
     if (count >= 4) {
@@ -556,7 +563,8 @@ cuts_are_along_and_across_in_turn(const point2 *points, uint32_t n)
     expect_cuts(&e, points, L, u, options.direction);
     options.trace = &e.observer;
     mesh m;
-    CLAIM("sec3.7.P18", divide_triangulate(points, n, &options, &m) == TRI_OK, "no mesh");
+    CLAIM("sec3.7.P18", divide_triangulate(points, n, &options, &m) == TRI_OK,
+          "no mesh");
     mesh_free(&m);
     free(e.edge);
     free(L);
@@ -646,7 +654,8 @@ it_can_be_stopped_and_refused(void)
             status = divide_triangulate(points, 50, &options, &m);
             memory_fail_at(0);
             CLAIM("sec3.7.P6", status == TRI_OK || (status == TRI_OUT_OF_MEMORY &&
-                  m.halfedge == NULL), "allocation %lu: %s", k, tri_status_text(status));
+                  m.halfedge == NULL), "allocation %lu: %s", k,
+                  tri_status_text(status));
         }
         mesh_free(&m);
     }

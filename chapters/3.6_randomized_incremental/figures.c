@@ -388,8 +388,8 @@ draw_walk(svg *page, const point2 *points, uint32_t n, vertex_id v, point2 p)
     m.trace = &w.base;
     straight_walk(&m, points, v, p);
     uint32_t triangles = 2 * m.locations - 2 - mesh_hull_size(&m);
-    snprintf(caption, sizeof caption, "the walk visits %u of %u triangles", (unsigned)w.visits,
-             (unsigned)triangles);
+    snprintf(caption, sizeof caption, "the walk visits %u of %u triangles",
+             (unsigned)w.visits, (unsigned)triangles);
     svg_panel(page, svg_box_of(points, n), n, caption);
     w.page = page;
     straight_walk(&m, points, v, p);
