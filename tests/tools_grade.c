@@ -424,7 +424,8 @@ a_zero_is_there_first(void)
 {
     make_faulty("slow", "echo $$ >\"$d/slow.pid\"; exec sleep 60");
     shell("chmod 711 $d; mkdir $d/tmp");
-    int status = shell("TMPDIR=$d/tmp $build/grade --base $d/slow --format gradescope "
+    int status = shell("exec 2>$d/noise; "
+                       "TMPDIR=$d/tmp $build/grade --base $d/slow --format gradescope "
                        "-o $d/killed $d/class/good >$d/out 2>&1 & grader=$!; "
                        "for i in $(seq 60); do sleep 0.2; "
                        "test -e $d/slow.pid && break; done; "

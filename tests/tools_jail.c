@@ -83,7 +83,7 @@ static const char *as = "";
 static void
 attempt_one(attempt a, const char *claim)
 {
-    shell("rm -f $d/box/report; cd $d/box && "
+    shell("exec 2>$d/noise; rm -f $d/box/report; cd $d/box && "
           "%s ./jail run %s --report report -- ./attack %s 2>&1 3</dev/null 4>/dev/null "
           "| head -c 1000 >$d/out", as, a.options, a.what);
     content report = read_scratch("box/report");
@@ -153,7 +153,8 @@ each_layer_holds_alone(void)
 static void
 files_do_not_grow(void)
 {
-    shell("cd $d/box && %s ./jail run --wall 5 -- ./attack flood >$d/flood 2>&1", as);
+    shell("exec 2>$d/noise; cd $d/box && "
+          "%s ./jail run --wall 5 -- ./attack flood >$d/flood 2>&1", as);
     CLAIM("jail.output", shell("test -f $d/flood && test ! -s $d/flood") == 0,
           "the file has grown");
 }
@@ -263,7 +264,8 @@ a_compiler_does_not_run_for_ever(void)
     status = shell("cd $d/box && (%s ./jail compile --wall 0.3 -w work -- /bin/sh -c "
                    "'sleep 50 & echo $! >work/left; wait'; exit $?) 2>$d/err", as);
     CLAIM("jail.bombs", status == 128 + 24 && shell("sleep 0.1; grep -q "
-          "'State:.[RSDT]' /proc/$(cat $d/box/work/left)/status 2>$d/err") != 0, "status %d, or a process is left", status);
+          "'State:.[RSDT]' /proc/$(cat $d/box/work/left)/status 2>$d/err") != 0,
+          "status %d, or a process is left", status);
 }
 
 /* ---- All of it. ---- */
@@ -293,7 +295,8 @@ prepare(void)
                  "chmod 1777 $d/box && chmod 777 $d/box/src && "
                  "(cd $d/box && ls -l treasure >../treasure) && "
                  "${CC-cc} -static -O1 -w -fsanitize=undefined "
-                 "-fsanitize-undefined-trap-on-error tests/grading/attack.c -o $d/box/attack 2>$d/err");
+                 "-fsanitize-undefined-trap-on-error tests/grading/attack.c "
+                 "-o $d/box/attack 2>$d/err");
 }
 
 int
