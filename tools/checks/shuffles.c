@@ -128,7 +128,8 @@ visit_leaf(session *s, leaf *l, uint32_t count, uint32_t *order)
     bool same = q->drawn >= l->depth;
     for (uint32_t i = 0; same && i < l->depth; i++)
         same = l->below[i] == q->below[i];
-    expect(s, same, "with the same random numbers the shuffle asks for others than before");
+    expect(s, same,
+           "with the same random numbers the shuffle asks for others than before");
     for (uint32_t i = l->depth; i < q->drawn; i++)
         l->chosen[i] = 0;
     memcpy(l->below, q->below, sizeof l->below);

@@ -8,8 +8,8 @@
 
 #include "tools/checks/checker.h"
 
-/* Exercise 3.6-d, `count` items (at most 5): every leaf is an order of them, and every order
- * comes; if `fair`, with the same probability. */
+/* Exercise 3.6-d, `count` items (at most 5): every leaf is an order of them, and every
+ * order comes; if `fair`, with the same probability. */
 void check_shuffles(session *s, uint32_t count, bool fair);
 
 /* With more items, and numbers from a seed: is it an order of them? */

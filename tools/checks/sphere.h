@@ -43,12 +43,12 @@ spot sphere_spot(const sphere *s, uint32_t p, halfedge_id *e);
 /* Joins p to the corners around its spot. Requires: room. */
 void sphere_split(sphere *s, spot at, halfedge_id e, vertex_id p);
 
-/* Flips the edge between a and b, which is opposite p, so that p gets one more edge. false:
- * it is not opposite p, or some triangle would be flat or turned over. */
+/* Flips the edge between a and b, which is opposite p, so that p gets one more edge.
+ * false: it is not opposite p, or some triangle would be flat or turned over. */
 bool sphere_flip(sphere *s, vertex_id a, vertex_id b, vertex_id p);
 
-/* Does p lie in triangle t or on its sides; outside: does it see the side, or is it in line
- * with it? On a path: is it at that edge, or beyond the end of that edge? */
+/* Does p lie in triangle t or on its sides; outside: does it see the side, or is it in
+ * line with it? On a path: is it at that edge, or beyond the end of that edge? */
 bool sphere_has(const sphere *s, triangle_id t, uint32_t p);
 
 /* How many edges end at v, those to infinity included. */
