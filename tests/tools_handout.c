@@ -9,17 +9,11 @@
  * Hypotheses: the programs are built, as `make test` does.
  */
 #include "tests/harness/harness.h"
+#include "tests/harness/tools.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-static char build[2100];  /* the folder of the programs, from / */
-static char root[1000];   /* the folder of this project */
-static char said[200000]; /* what the last program printed */
 
 /* ---- A small project. ---- */
 
@@ -197,22 +191,6 @@ static const char *const driver =
     "    return 0;\n"
     "}\n";
 
-static void
-must(bool done, const char *what)
-{
-    if (!done) {
-        perror(what);
-        abort();
-    }
-}
-
-static void
-write_file(const char *path, const char *bytes)
-{
-    FILE *file = fopen(path, "w");
-    must(file != NULL && fputs(bytes, file) >= 0 && fclose(file) == 0, path);
-}
-
 static bool
 file_is(const char *path, const char *bytes)
 {
@@ -225,29 +203,6 @@ file_is(const char *path, const char *bytes)
     if (!same)
         snprintf(said, sizeof said, "%s", found);
     return same;
-}
-
-/* Runs a command, as if there were no make around this test; its exit status. What it
- * says is in `said`. */
-static int
-run(const char *command)
-{
-    static char line[13000];
-    snprintf(line, sizeof line, "unset MAKEFLAGS MFLAGS MAKELEVEL BUILD CFLAGS\n"
-             "{ %.12900s\n} 2>&1", command);
-    FILE *pipe = popen(line, "r");
-    must(pipe != NULL, line);
-    said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static int
-run_tool(const char *name, const char *arguments)
-{
-    char command[4000];
-    snprintf(command, sizeof command, "'%s/%s' %s", build, name, arguments);
-    return run(command);
 }
 
 /* Enters the folder of the small project, with all its files as they should be. */
@@ -593,12 +548,7 @@ int
 main(int argc, char **argv)
 {
     test_begin(argc, argv, "handout: a student's tree, without the solutions");
-    /* This program is BUILD/test/tools_handout. */
-    must(getcwd(root, sizeof root) != NULL, ".");
-    snprintf(build, sizeof build, "%s%s%s", argv[0][0] == '/' ? "" : root,
-             argv[0][0] == '/' ? "" : "/", argv[0]);
-    for (int level = 0; level < 2; level++)
-        *strrchr(build, '/') = '\0';
+    tools_begin(argv);
 
     test_run("solutions are taken out, and nothing else",
              solutions_and_nothing_else_are_taken_out);

@@ -8,28 +8,11 @@
  */
 #include "chapters/3.4_primitives/predicates.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/tools.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-
-static char build[2100]; /* the folder of the programs */
-static char said[20000]; /* what the last program printed */
-
-/* Runs traces; its exit status. */
-static int
-run_traces(const char *arguments)
-{
-    char command[5000];
-    snprintf(command, sizeof command, "'%s/traces' %s 2>&1", build, arguments);
-    FILE *pipe = popen(command, "r");
-    if (pipe == NULL)
-        abort();
-    said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 /* ---- Questions and answers. ---- */
 
@@ -57,7 +40,7 @@ read_question(const char *id, const char *section)
     char arguments[100];
     int used = 0, a, b, c;
     snprintf(arguments, sizeof arguments, "%s %s", id, section);
-    CLAIM("traces.asks", run_traces(arguments) == 0, "%s", said);
+    CLAIM("traces.asks", run_tool("traces", arguments) == 0, "%s", said);
     for (a = 0; a < 7; a++)
         for (b = 0; b < 7; b++)
             q.third[a][b] = NOBODY;
@@ -87,7 +70,7 @@ answer_passes(const char *section, const char *name, const char *answer)
     if (file == NULL || fputs(text, file) < 0 || fclose(file) != 0)
         abort();
     snprintf(arguments, sizeof arguments, "--check anna '%s' %s", path, section);
-    CLAIM("traces.checks", run_traces(arguments) == 0, "%s", said);
+    CLAIM("traces.checks", run_tool("traces", arguments) == 0, "%s", said);
     snprintf(line, sizeof line, "%s\tpass\t", name);
     return strstr(said, line) != NULL;
 }
@@ -233,26 +216,23 @@ static void
 each_student_has_questions_of_their_own(void)
 {
     static char annas[5000];
-    run_traces("anna 2.3 3.5 3.6");
+    run_tool("traces", "anna 2.3 3.5 3.6");
     snprintf(annas, sizeof annas, "%.4999s", said);
-    CLAIM("traces.same", run_traces("anna 2.3 3.5 3.6") == 0 &&
+    CLAIM("traces.same", run_tool("traces", "anna 2.3 3.5 3.6") == 0 &&
           strcmp(said, annas) == 0, "%s", said);
-    run_traces("hann 2.3 3.5 3.6");
+    run_tool("traces", "hann 2.3 3.5 3.6");
     CLAIM("traces.own", strcmp(strstr(said, "points"), strstr(annas, "points")) != 0, "%s",
           said);
-    CLAIM("traces.none", run_traces("anna 2.1") == 1, "%s", said);
-    CLAIM("traces.name", run_traces("'a b' 2.3") == 2 &&
-          run_traces("'a\"b' 2.3") == 2, "%s", said);
+    CLAIM("traces.none", run_tool("traces", "anna 2.1") == 1, "%s", said);
+    CLAIM("traces.name", run_tool("traces", "'a b' 2.3") == 2 &&
+          run_tool("traces", "'a\"b' 2.3") == 2, "%s", said);
 }
 
 int
 main(int argc, char **argv)
 {
     test_begin(argc, argv, "traces: questions about points of a student's own");
-    /* This program is BUILD/test/tools_traces. */
-    snprintf(build, sizeof build, "%s", argv[0]);
-    for (int level = 0; level < 2; level++)
-        *strrchr(build, '/') = '\0';
+    tools_begin(argv);
 
     test_run("the order is that of the points", the_order_is_that_of_the_points);
     test_run("the stack is that of three flips", the_stack_is_that_of_three_flips);

@@ -9,17 +9,12 @@
  */
 #include "chapters/3.5_edge_flips/flips.h"
 #include "tests/harness/harness.h"
+#include "tests/harness/tools.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-static char build[2100]; /* the folder of the programs, from / */
-static char root[1000];  /* the folder of this project */
-static char said[20000]; /* what the last program printed */
 
 /* ---- A small project. ---- */
 
@@ -96,22 +91,6 @@ static const char *const woven =
     "**fig3.P1.** *It ends.* Because a falls.\n";
 
 static void
-must(bool done, const char *what)
-{
-    if (!done) {
-        perror(what);
-        abort();
-    }
-}
-
-static void
-write_file(const char *path, const char *bytes)
-{
-    FILE *file = fopen(path, "w");
-    must(file != NULL && fputs(bytes, file) >= 0 && fclose(file) == 0, path);
-}
-
-static void
 read_file(const char *path, char *bytes, size_t room)
 {
     FILE *file = fopen(path, "r");
@@ -146,27 +125,6 @@ plant(void)
     write_file("docs/notes_map.md",
                "| F3 | 2.3 | x | `chapters/2.3_a/a.c add` | `tests/2.3_a.c` | - | stands |\n"
                "| F4 | 3.1 | x | `lib/nothing.c` | - | - | planned |\n");
-}
-
-/* Runs a command in the small project; its exit status. What it says is in `said`. */
-static int
-run(const char *command)
-{
-    char line[5000];
-    snprintf(line, sizeof line, "%s 2>&1", command);
-    FILE *pipe = popen(line, "r");
-    must(pipe != NULL, line);
-    said[fread(said, 1, sizeof said - 1, pipe)] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static int
-run_tool(const char *name, const char *argument)
-{
-    char command[4000];
-    snprintf(command, sizeof command, "'%s/%s' %s", build, name, argument);
-    return run(command);
 }
 
 static int
@@ -423,12 +381,7 @@ int
 main(int argc, char **argv)
 {
     test_begin(argc, argv, "the tools: text and code are bound, and cannot drift");
-    /* This program is BUILD/test/tools_weave. */
-    must(getcwd(root, sizeof root) != NULL, ".");
-    snprintf(build, sizeof build, "%s%s%s", argv[0][0] == '/' ? "" : root,
-             argv[0][0] == '/' ? "" : "/", argv[0]);
-    for (int level = 0; level < 2; level++)
-        *strrchr(build, '/') = '\0';
+    tools_begin(argv);
 
     test_run("quotes are what the source says", quotes_are_what_the_source_says);
     test_run("every drift is found", every_drift_is_found);
