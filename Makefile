@@ -171,6 +171,10 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ -lm
 
+# This one asks the grader's certifiers.
+$(BUILD)/test/tools_certify: $(patsubst %,$(BUILD)/posix-counted/tools/checks/%.o,\
+  cases certify complexes diagrams meshes plane trees)
+
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
     $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(BUILD)/grade \

@@ -260,6 +260,9 @@ check_path(const site *points, uint32_t n, const vertex_id *path, uint32_t count
     if (count != locations)
         return verdict_refuted("%lu vertices on the line, and there are %lu locations",
                                (unsigned long)count, (unsigned long)locations);
+    for (uint32_t i = 1; i < count; i++)
+        if (plane_same(points[path[i - 1]], points[path[i]]))
+            return refuted_at("the path stays where it is", path[i - 1], path[i], path[i]);
     for (uint32_t i = 2; i < count; i++)
         if (plane_dot(points[path[i - 2]], points[path[i - 1]], points[path[i]]) >= 0)
             return refuted_at("the path turns back", path[i - 2], path[i - 1], path[i]);
