@@ -21,6 +21,9 @@ BUILD    ?= build
 # Programs and tests are POSIX; the library is plain C11 and does not need the macro.
 COMPILE = $(CC) -std=c11 $(WARNINGS) -ffp-contract=off -I. -MMD -MP $(CFLAGS)
 
+# The fast algorithm of 3.7 can use threads; some C libraries keep them apart.
+LIBS    = -lm -pthread
+
 LIBRARY  := $(wildcard lib/*.c) $(filter-out %/figures.c,$(wildcard chapters/*.c chapters/*/*.c))
 FIGURES  := $(patsubst chapters/%/figures.c,%,$(wildcard chapters/*/figures.c))
 SECTIONS := $(sort $(foreach d,$(wildcard chapters/[0-9]*),$(firstword $(subst _, ,$(notdir $d)))))
@@ -89,11 +92,11 @@ $(BUILD)/posix-counted/%.o: %.c
 
 $(BUILD)/tri: $(TRI:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/counted/tri: $(TRI:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
@@ -102,7 +105,7 @@ $(BUILD)/weave: $(WEAVE:%.c=$(BUILD)/posix/%.o)
 $(BUILD)/grade: $(GRADE:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a | \
     $(BUILD)/jail $(BUILD)/handout $(BUILD)/splice
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/jail: $(JAIL:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
@@ -114,7 +117,7 @@ $(BUILD)/handout: $(HANDOUT:%.c=$(BUILD)/posix/%.o) | $(BUILD)/weave $(BUILD)/si
 
 $(BUILD)/traces: $(addprefix $(BUILD)/posix/tools/handout/,traces.o questions.o) $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/splice: $(SPLICE:%.c=$(BUILD)/posix/%.o)
 	@$(SAY) "  link  $@"
@@ -123,53 +126,53 @@ $(BUILD)/splice: $(SPLICE:%.c=$(BUILD)/posix/%.o)
 $(BUILD)/bench/bench: $(BENCH:%.c=$(BUILD)/posix/%.o) $(BUILD)/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/compare/counts: $(patsubst %.c,$(BUILD)/posix-counted/%.o,tools/compare/counts.c $(COMPARE)) \
                          $(BUILD)/counted/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/compare/times: $(patsubst %.c,$(BUILD)/posix/%.o,tools/compare/times.c $(COMPARE) \
                           $(addprefix tools/bench/,measure.c certify.c stopwatch.c yardstick.c)) \
                         $(BUILD)/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/bench/tiers: $(BUILD)/posix-counted/tools/bench/tiers.o $(BUILD)/counted/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/posix/tools/%.o $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 # One checker for each section: it certifies what a student's program answers.
 $(BUILD)/checker_%: $(CHECKING:%.c=$(BUILD)/posix/%.o) $(BUILD)/posix/tools/checks/%.o \
                     $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 # The instances of 3.4 have their signs from big integers.
 $(BUILD)/signs: $(BUILD)/posix/tools/checks/signs.o $(BUILD)/posix/tests/oracle/oracle.o \
                 $(BUILD)/posix/tests/oracle/big.o $(BUILD)/libtri.a
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 $(BUILD)/figures/%: $(BUILD)/posix/chapters/%/figures.o $(BUILD)/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 # Tests ask the counted library, so that they can say what they have reached.
 $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
                  $(HARNESS:%.c=$(BUILD)/posix-counted/%.o) $(BUILD)/counted/libtri.a
 	@mkdir -p $(@D)
 	@$(SAY) "  link  $@"
-	$(CC) $(CFLAGS) $^ -o $@ -lm
+	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
 # This one asks the grader's certifiers.
 $(BUILD)/test/tools_certify: $(patsubst %,$(BUILD)/posix-counted/tools/checks/%.o,\
