@@ -252,8 +252,9 @@ all_formats_say_the_same(const point2 *points, uint32_t n)
     fclose(file);
     if (sites == 0)
         first = 0; /* no line of the file says otherwise */
-    int status = shell("for e in ele neigh off obj geojson; do "
-                       "$tri triangulate -o $d/x.$e $d/x.node 2>$d/err || exit 1; done");
+    int status = shell(
+        "for e in ele neigh off obj geojson; do "
+        "$tri triangulate -o $d/x.$e $d/x.node 2>$d/err || exit 1; done");
     CLAIM("formats.setup", status == 0, "%s", read_scratch("err").text);
     read_ele();
     read_neigh();
@@ -278,10 +279,11 @@ endings_are_explained(void)
             CLAIM("formats.endings", has("err", good[k]) && has("help", good[k]),
                   "%s is not named: %s", good[k], read_scratch("err").text);
     }
-    CLAIM("formats.endings", shell("$tri triangulate $d/t.xy >$d/1.ele && "
-                                   "$tri triangulate -o - $d/t.xy >$d/2.ele && "
-                                   "$tri triangulate -o $d/3.ele $d/t.xy && "
-                                   "cmp $d/1.ele $d/2.ele && cmp $d/1.ele $d/3.ele") == 0,
+    CLAIM("formats.endings",
+          shell("$tri triangulate $d/t.xy >$d/1.ele && "
+                "$tri triangulate -o - $d/t.xy >$d/2.ele && "
+                "$tri triangulate -o $d/3.ele $d/t.xy && "
+                "cmp $d/1.ele $d/2.ele && cmp $d/1.ele $d/3.ele") == 0,
           "standard output is no .ele file");
 }
 

@@ -58,7 +58,7 @@ compile_and_run(const char *compiler, const char *source)
         "    --define-variable=prefix=" INSTALLED " --cflags --libs triangulations); "
         "else "
         "  flags=\"-I" INSTALLED "/include/triangulations -L" INSTALLED "/lib "
-        "    -ltri -lm\"; "
+        "    -ltri -lm -pthread\"; "
         "fi && %s -Wall -Wextra -Wpedantic -Wshadow -Werror ${CFLAGS-} %s $flags "
         "-o program 2>err", compiler, source);
     CLAIM("install.compiles", status == 0, "%s: %s", source, read_scratch("err").text);
@@ -67,8 +67,8 @@ compile_and_run(const char *compiler, const char *source)
                    "awk '{ print NR, $0 } END { print NR, 3 >\"head\" }' triangles "
                    "  >tail && cat head tail >five.ele && "
                    INSTALLED "/bin/tri check --delaunay five.xy five.ele >out");
-    CLAIM("install.runs", status == 0 && has("head", "4 3\n"), "%s prints: %s%s", source,
-          read_scratch("triangles").text, read_scratch("out").text);
+    CLAIM("install.runs", status == 0 && has("head", "4 3\n"), "%s prints: %s%s",
+          source, read_scratch("triangles").text, read_scratch("out").text);
 }
 
 static void
@@ -138,7 +138,8 @@ main(int argc, char **argv)
     bool clang = cc != NULL && strstr(cc, "clang") != NULL;
     setenv("cplusplus", clang ? "clang++" : "g++", 1);
     if (shell("command -v $cplusplus >/dev/null") == 0)
-        test_run("programs in C++ find everything", programs_in_cplusplus_find_everything);
+        test_run("programs in C++ find everything",
+                 programs_in_cplusplus_find_everything);
     else
         puts("# skipped: there is no compiler for C++");
     test_run("nothing is left after uninstall", nothing_is_left_after_uninstall);

@@ -102,7 +102,8 @@ check_head(const replay *r, const algorithm *a, const point2 *points)
           strcmp(step_text(r->root, "algorithm"), a->name) == 0 &&
           strcmp(step_text(r->root, "section"), a->section) == 0,
           "the format, the algorithm or the section is wrong");
-    CLAIM("trace.points", given != NULL && given->count == r->n, "the points are not there");
+    CLAIM("trace.points", given != NULL && given->count == r->n,
+          "the points are not there");
     for (uint32_t i = 0; i < r->n; i++) {
         const json *xy = &given->item[i];
         CLAIM("trace.points", xy->kind == JSON_ARRAY && xy->count == 2 &&
@@ -133,14 +134,17 @@ edges_are_those_of_the_mesh(const point2 *points, uint32_t n)
             replay_step(&r);
             remember(&steps_had, set_of(&r));
         }
-        CLAIM("trace.mesh", steps_had.count == mesh_had.count, "tri trace %s: the edges of "
-              "the mesh change %u times, those of the steps %u times", run.words,
-              mesh_had.count, steps_had.count);
+        CLAIM("trace.mesh", steps_had.count == mesh_had.count,
+              "tri trace %s: the edges of "
+              "the mesh change %u times, those of the steps %u times",
+              run.words, mesh_had.count, steps_had.count);
         for (uint32_t k = 0; k < steps_had.count; k++)
             CLAIM("trace.mesh", steps_had.set[k] == mesh_had.set[k],
                   "tri trace %s: change %u of the edges is another", run.words, k);
-        CLAIM("trace.stack", r.on_stack == 0, "tri trace %s: the stack is not empty at the "
-              "end", run.words);
+        CLAIM("trace.stack", r.on_stack == 0,
+              "tri trace %s: the stack is not empty at the "
+              "end",
+              run.words);
         for (vertex_id v = 0; v < n; v++)
             CLAIM("trace.replay", r.is_vertex[v] == (mesh_leaving(&m, v) != NONE),
                   "tri trace %s: %u is a vertex, or is not", run.words, v);
@@ -183,8 +187,8 @@ last_edges_are_those_of_triangulate(void)
                 "{ awk 'NR > 1 { print $2, $3; print $3, $4; print $4, $2 }' $d/t.ele; "
                 "  $tri hull $d/p.node 2>$d/err | awk 'NR > 1 { print $2, $3 }'; } | "
                 "awk '{ print $1 < $2 ? $1 \" \" $2 : $2 \" \" $1 }' | sort -u >$d/there; "
-                "%s >$d/here; cmp $d/here $d/there >$d/err 2>&1", inputs[i], name, name,
-                edges_of_trace);
+                "%s >$d/here; cmp $d/here $d/there >$d/err 2>&1",
+                inputs[i], name, name, edges_of_trace);
             CLAIM("trace.triangulate", status == 0, "%s, %s: exit status %d: %s",
                   inputs[i], name, status, read_scratch("err").text);
         }
@@ -202,8 +206,8 @@ the_same_bytes_twice_and_through_pipes(void)
             "$tri trace --algorithm %s -o $d/1.json $d/p.node || exit 3; "
             "$tri trace --algorithm %s - <$d/p.node >$d/2.json || exit 4; "
             "cmp $d/1.json $d/2.json >$d/err 2>&1", contents[k].name, contents[k].name);
-        CLAIM("trace.same", status == 0, "%s: exit status %d: %s", contents[k].name, status,
-              read_scratch("err").text);
+        CLAIM("trace.same", status == 0, "%s: exit status %d: %s", contents[k].name,
+              status, read_scratch("err").text);
     }
 }
 
@@ -255,11 +259,16 @@ refuse(const char *arguments, const char *reason)
 {
     int status = shell("echo old >$d/old.json; "
                        "$tri trace %s -o $d/old.json >$d/out 2>$d/err", arguments);
-    CLAIM("trace.refused", status == 2 && has("err", reason), "tri trace %s: exit status "
-          "%d: %s", arguments, status, read_scratch("err").text);
-    CLAIM("trace.refused", strcmp(read_scratch("old.json").text, "old\n") == 0 &&
-          shell("ls $d/*.part >$d/out 2>&1") != 0, "tri trace %s: the old file is gone, or "
-          "an unfinished one is left", arguments);
+    CLAIM("trace.refused", status == 2 && has("err", reason),
+          "tri trace %s: exit status "
+          "%d: %s",
+          arguments, status, read_scratch("err").text);
+    CLAIM("trace.refused",
+          strcmp(read_scratch("old.json").text, "old\n") == 0 &&
+              shell("ls $d/*.part >$d/out 2>&1") != 0,
+          "tri trace %s: the old file is gone, or "
+          "an unfinished one is left",
+          arguments);
 }
 
 static void
@@ -279,7 +288,8 @@ the_rest_is_refused(void)
     refuse("--algorithm incremental --locator luck $d/p.node", "--locator luck");
     refuse("--algorithm sweep --direction 0,0 $d/p.node", "usage: tri trace");
     refuse("--algorithm sweep $d/missing.node", "missing.node: cannot be ");
-    refuse("--algorithm sweep tests/bad_files/line4_infinity.node", "infinity.node:4: ");
+    refuse("--algorithm sweep tests/bad_files/line4_infinity.node",
+           "infinity.node:4: ");
     refuse("--algorithm sweep $d/many.node", "10001 points are too many to watch");
     refuse("--algorithm lawson $d/slow.node", "more than 1000000 steps");
 }
@@ -290,8 +300,8 @@ main(int argc, char **argv)
     shell_begin(argv);
     test_begin(argc, argv, "tri trace: each step's edges are those of the mesh");
     test_random("edges of random points", edges_are_those_of_the_mesh, 60, 40);
-    test_near_degenerate("edges of nearly degenerate points", edges_are_those_of_the_mesh,
-                         150, 20);
+    test_near_degenerate("edges of nearly degenerate points",
+                         edges_are_those_of_the_mesh, 150, 20);
     test_run("the last edges are those of tri triangulate",
              last_edges_are_those_of_triangulate);
     test_run("the same bytes", the_same_bytes_twice_and_through_pipes);

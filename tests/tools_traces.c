@@ -1,5 +1,5 @@
-/* traces: each student is asked for first steps of the algorithms on points of their own,
- * and the answers that count as right are right.
+/* traces: each student is asked for first steps of the algorithms on points of their
+ * own, and the answers that count as right are right.
  *
  * The steps are done here once more, with nothing but the predicates and a table of
  * triangles.
@@ -46,8 +46,9 @@ read_question(const char *id, const char *section)
             q.third[a][b] = NOBODY;
     const char *at = strstr(said, "points:") + strlen("points:");
     for (int i = 0; i < 7; i++, at += used)
-        CLAIM("traces.asks", sscanf(at, " %*d (%lf,%lf)%n", &q.p[i].x, &q.p[i].y, &used) == 2,
-              "%s", said);
+        CLAIM("traces.asks",
+              sscanf(at, " %*d (%lf,%lf)%n", &q.p[i].x, &q.p[i].y, &used) == 2, "%s",
+              said);
     at = strstr(said, "triangles:");
     at = at == NULL ? "" : at + strlen("triangles:");
     for (; sscanf(at, " %d-%d-%d%n", &a, &b, &c, &used) == 3; at += used)
@@ -63,8 +64,8 @@ static bool
 answer_passes(const char *section, const char *name, const char *answer)
 {
     char text[400], path[2200], arguments[2400], line[50];
-    snprintf(text, sizeof text, "---- 9.9\n%s: 1\n---- %s\n%s: %s\n---- 9.9\n%s: 1\n", name,
-             section, name, answer, name);
+    snprintf(text, sizeof text, "---- 9.9\n%s: 1\n---- %s\n%s: %s\n---- 9.9\n%s: 1\n",
+             name, section, name, answer, name);
     snprintf(path, sizeof path, "%s/tools_traces.txt", build);
     FILE *file = fopen(path, "w");
     if (file == NULL || fputs(text, file) < 0 || fclose(file) != 0)
@@ -84,8 +85,9 @@ the_order_is_that_of_the_points(void)
     char answer[30] = "", seen[30] = "";
     for (int v = 0; v < 7; v++) {
         int k = v;
-        for (; k > 0 && (q.p[v].x < q.p[order[k - 1]].x ||
-                         (q.p[v].x == q.p[order[k - 1]].x && q.p[v].y < q.p[order[k - 1]].y));
+        for (; k > 0 &&
+               (q.p[v].x < q.p[order[k - 1]].x ||
+                (q.p[v].x == q.p[order[k - 1]].x && q.p[v].y < q.p[order[k - 1]].y));
              k--)
             order[k] = order[k - 1];
         order[k] = v;
@@ -101,10 +103,11 @@ the_order_is_that_of_the_points(void)
     for (int i = 0; i < 6; i++)
         for (int j = 0; j < 6; j++) {
             bool hull = i != j;
-            for (int k = 0; k < 7; k++)
+            for (int k = 0; k < 7; k++) {
+                int turn = orient2d(q.p[order[i]], q.p[order[j]], q.p[order[k]]);
                 if (k != i && k != j)
-                    hull = hull && orient2d(q.p[order[i]], q.p[order[j]], q.p[order[k]]) *
-                                       (k == 6 ? -1 : 1) > 0;
+                    hull = hull && (k == 6 ? turn < 0 : turn > 0);
+            }
             if (hull) {
                 next[order[i]] = order[j];
                 is_end[order[j]] = true;
@@ -116,9 +119,11 @@ the_order_is_that_of_the_points(void)
     for (int i = 0; from != NOBODY; from = next[from], i++)
         sprintf(seen + 2 * i, "%d ", from);
     CLAIM("traces.seen", answer_passes("2.3", "seen", seen), "%s: %s", seen, said);
-    CLAIM("traces.wrong", !answer_passes("2.3", "seen", seen + 2) &&
-          !answer_passes("2.3", "order", seen) && !answer_passes("2.3", "order", ""), "%s",
-          said);
+    CLAIM("traces.wrong",
+          !answer_passes("2.3", "seen", seen + 2) &&
+              !answer_passes("2.3", "order", seen) &&
+              !answer_passes("2.3", "order", ""),
+          "%s", said);
 }
 
 static void
@@ -139,7 +144,8 @@ flip_by_hand(question *q, int flips, bool push)
     while (flips > 0 && q->size > 0) {
         int *ab = q->stack[--q->size], a = ab[0], b = ab[1];
         int c = q->third[a][b], d = q->third[b][a];
-        if (c == NOBODY || d == NOBODY || incircle(q->p[a], q->p[b], q->p[c], q->p[d]) <= 0)
+        if (c == NOBODY || d == NOBODY ||
+            incircle(q->p[a], q->p[b], q->p[c], q->p[d]) <= 0)
             continue;
         add_triangle(q, a, b, c, false);
         add_triangle(q, b, a, d, false);
@@ -164,7 +170,8 @@ the_stack_is_that_of_three_flips(void)
     flip_by_hand(&q, 3, true);
     for (int i = 0; i < q.size; i++)
         sprintf(answer + 4 * i, "%d-%d ", q.stack[i][i % 2], q.stack[i][1 - i % 2]);
-    CLAIM("traces.stack", answer_passes("3.5", "stack", answer), "%s: %s", answer, said);
+    CLAIM("traces.stack", answer_passes("3.5", "stack", answer), "%s: %s", answer,
+          said);
     CLAIM("traces.wrong", !answer_passes("3.5", "stack", answer + 4), "%s", said);
 
     flip_by_hand(&broken, 1000, false);
@@ -175,15 +182,16 @@ the_stack_is_that_of_three_flips(void)
                 continue;
             bool bad = incircle(broken.p[a], broken.p[b], broken.p[c], broken.p[d]) > 0;
             sprintf(answer, "%d, %d, %d, %d", a, b, c, d);
-            CLAIM("traces.witness", answer_passes("3.5", "witness", answer) == bad, "%s: %s",
-                  answer, said);
+            CLAIM("traces.witness", answer_passes("3.5", "witness", answer) == bad,
+                  "%s: %s", answer, said);
             sprintf(answer, "%d %d %d %d", a, b, c, a);
-            CLAIM("traces.wrong", !answer_passes("3.5", "witness", answer), "%s: %s", answer,
-                  said);
+            CLAIM("traces.wrong", !answer_passes("3.5", "witness", answer), "%s: %s",
+                  answer, said);
             witnesses += bad;
             edges++;
         }
-    CLAIM("traces.witness", witnesses > 0 && witnesses < edges, "%d of %d", witnesses, edges);
+    CLAIM("traces.witness", witnesses > 0 && witnesses < edges, "%d of %d", witnesses,
+          edges);
     CLAIM("traces.wrong", !answer_passes("3.5", "witness", "1 2") &&
           !answer_passes("3.5", "witness", "7 8 9 10"), "%s", said);
 }
@@ -200,7 +208,8 @@ the_link_is_that_of_the_delaunay_triangulation(void)
         for (int b = 0; b < 6; b++) {
             bool empty = a != b && orient2d(q.p[6], q.p[a], q.p[b]) > 0;
             for (int c = 0; c < 6 && empty; c++)
-                empty = c == a || c == b || incircle(q.p[6], q.p[a], q.p[b], q.p[c]) <= 0;
+                empty = c == a || c == b ||
+                        incircle(q.p[6], q.p[a], q.p[b], q.p[c]) <= 0;
             if (empty)
                 first = next[a] = b;
         }
@@ -221,8 +230,8 @@ each_student_has_questions_of_their_own(void)
     CLAIM("traces.same", run_tool("traces", "anna 2.3 3.5 3.6") == 0 &&
           strcmp(said, annas) == 0, "%s", said);
     run_tool("traces", "hann 2.3 3.5 3.6");
-    CLAIM("traces.own", strcmp(strstr(said, "points"), strstr(annas, "points")) != 0, "%s",
-          said);
+    CLAIM("traces.own", strcmp(strstr(said, "points"), strstr(annas, "points")) != 0,
+          "%s", said);
     CLAIM("traces.none", run_tool("traces", "anna 2.1") == 1, "%s", said);
     CLAIM("traces.name", run_tool("traces", "'a b' 2.3") == 2 &&
           run_tool("traces", "'a\"b' 2.3") == 2, "%s", said);
