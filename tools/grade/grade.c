@@ -15,10 +15,9 @@
 
 #include "lib/output.h"
 #include "tools/grade/clean.h"
+#include "tools/grade/submissions.h"
 #include "tools/handout/basics.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,21 +130,6 @@ interrupted(int signal_number)
 }
 
 static const char *
-current_folder(void)
-{
-    char here[4096];
-    if (getcwd(here, sizeof here) == NULL)
-        give_up("getcwd");
-    return format("%s", here);
-}
-
-static const char *
-from_root(const char *path)
-{
-    return *path == '/' ? path : format("%s/%s", current_folder(), path);
-}
-
-static const char *
 make_work(void)
 {
     const char *place = getenv("TMPDIR");
@@ -229,134 +213,6 @@ prepare(const request *r, const char *self)
     bring_base(r, &g, g.base);
     g.asked = assignment_read(g.base);
     return g;
-}
-
-/* ---- Which submissions? ---- */
-
-typedef struct submission {
-    const char *name, *path; /* path NULL: on the roster, and nothing handed in */
-    const char *output;
-} submission;
-
-typedef struct class {
-    submission *at;
-    size_t count;
-} class;
-
-static bool
-is_folder(const char *path)
-{
-    struct stat about;
-    return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
-}
-
-/* "anna" of "class/anna.tar.gz" and of "class/anna/". */
-static const char *
-name_of(const char *path)
-{
-    size_t length = strlen(path);
-    while (length > 1 && path[length - 1] == '/')
-        length--;
-    const char *name = part_of(path, length);
-    if (strcmp(name, ".") == 0)
-        name = current_folder();
-    if (strrchr(name, '/') != NULL && strrchr(name, '/')[1] != '\0')
-        name = strrchr(name, '/') + 1;
-    static const char *const endings[] = {".tar", ".tar.gz", ".tgz"};
-    for (int i = 0; i < 3; i++)
-        if (ends_with(name, endings[i]) && strlen(name) > strlen(endings[i]))
-            return part_of(name, strlen(name) - strlen(endings[i]));
-    return name;
-}
-
-static void
-add_submission(class *c, const char *name, const char *path)
-{
-    for (size_t i = 0; i < c->count; i++)
-        if (strcmp(c->at[i].name, name) == 0) {
-            if (path == NULL)
-                return;
-            refuse("two submissions have the name %s: %s and %s", name, c->at[i].path, path);
-        }
-    if (strchr(name, '/') != NULL || name[0] == '.')
-        refuse("%s: a submission cannot have this name", name);
-    c->at = take_one_more(c->at, c->count, sizeof *c->at);
-    c->at[c->count++] = (submission){.name = name, .path = path};
-}
-
-/* A folder with a file of the assignment, or an archive and nothing else, is one submission;
- * any other holds one in each entry, unless --one says that it does not. */
-static bool
-is_class(const request *r, const assignment *a, const char *path)
-{
-    DIR *d;
-    int entries = 0, archives = 0, folders = 0;
-    if (r->one || !is_folder(path) || (d = opendir(path)) == NULL)
-        return false;
-    bool own = access(format("%s/assignment.ini", path), F_OK) == 0;
-    for (size_t f = 0; f < a->files; f++) {
-        const char *name = strrchr(a->file[f], '/');
-        own |= access(format("%s/%s", path, a->file[f]), F_OK) == 0;
-        own |= name != NULL && access(format("%s%s", path, name), F_OK) == 0;
-    }
-    for (struct dirent *e; (e = readdir(d)) != NULL;) {
-        if (e->d_name[0] == '.')
-            continue;
-        entries++;
-        folders += is_folder(format("%s/%s", path, e->d_name));
-        archives += strcmp(name_of(e->d_name), e->d_name) != 0;
-    }
-    closedir(d);
-    return !own && entries > 0 && archives + folders > 0 && !(entries == 1 && archives == 1);
-}
-
-static int
-by_name(const void *a, const void *b)
-{
-    return strcmp(((const submission *)a)->name, ((const submission *)b)->name);
-}
-
-/* The first column of the roster, without its quotes. */
-static void
-add_roster(class *c, const char *path)
-{
-    const char *line = file_bytes(path, NULL);
-    if (line == NULL)
-        refuse("%s: there is no such file", path);
-    while (*line != '\0') {
-        size_t length = strcspn(line, ",;\t\r\n"), all = strcspn(line, "\n");
-        bool quoted = length > 1 && line[0] == '"' && line[length - 1] == '"';
-        if (length > 0)
-            add_submission(c, part_of(line + quoted, length - 2 * (size_t)quoted), NULL);
-        line += all + (line[all] == '\n');
-    }
-}
-
-static class
-find_submissions(const request *r, const assignment *a)
-{
-    class c = {NULL, 0};
-    bool alone = r->path[0] != NULL && r->path[1] == NULL && !is_class(r, a, r->path[0]);
-    for (char **path = r->path; *path != NULL; path++) {
-        DIR *d = is_class(r, a, *path) ? opendir(*path) : NULL;
-        if (d == NULL && access(*path, F_OK) != 0)
-            refuse("%s: %s", *path, strerror(errno));
-        if (d == NULL)
-            add_submission(&c, name_of(*path), from_root(*path));
-        for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL;)
-            if (e->d_name[0] != '.')
-                add_submission(&c, name_of(e->d_name),
-                               from_root(format("%s/%s", *path, e->d_name)));
-        if (d != NULL)
-            closedir(d);
-    }
-    if (r->roster != NULL)
-        add_roster(&c, r->roster);
-    qsort(c.at, c.count, sizeof *c.at, by_name);
-    const char *top = r->output != NULL ? from_root(r->output) : format("%s/out", work);
-    for (size_t i = 0; i < c.count; i++)
-        c.at[i].output = alone && r->roster == NULL ? top : format("%s/%s", top, c.at[i].name);
-    return c;
 }
 
 /* ---- The class, a row for each. ---- */
@@ -550,7 +406,8 @@ grade_class(const request *r, const char *self)
     base_prepare(&g);
     draw_instances(&g);
     check_untouched(&g);
-    class c = find_submissions(r, &g.asked);
+    const char *top = r->output != NULL ? from_root(r->output) : format("%s/out", work);
+    class c = find_submissions(&g.asked, r->path, r->one, r->roster, top);
     make_folder(format("%s/of", g.work));
     int worst = grade_all(&g, &c, r->workers);
     if (r->csv != NULL)

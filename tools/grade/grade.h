@@ -147,6 +147,8 @@ void command_add_words(command_line *c, const char *words);
  * follows. */
 command_line jail_compile(const grading *g, const char *const reads[], const char *writes);
 
+const char *current_folder(void);
+const char *from_root(const char *path); /* the same place, from / */
 void make_folder(const char *path);     /* with those above it */
 void remove_folder(const char *path);   /* with all that is in it */
 void write_file(const char *path, const char *bytes, size_t size);

@@ -169,3 +169,18 @@ write_file(const char *path, const char *bytes, size_t size)
     if (file == NULL || fwrite(bytes, 1, size, file) != size || fclose(file) != 0)
         give_up(path);
 }
+
+const char *
+current_folder(void)
+{
+    char here[4096];
+    if (getcwd(here, sizeof here) == NULL)
+        give_up("getcwd");
+    return format("%s", here);
+}
+
+const char *
+from_root(const char *path)
+{
+    return *path == '/' ? path : format("%s/%s", current_folder(), path);
+}
