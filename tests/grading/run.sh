@@ -31,8 +31,10 @@
 #     prepare.sh      does what it likes with the folder that is handed in
 #
 # In the last two @PROJECT@ stands for the root of the project, @HANDOUT@ for that of the
-# tree that was handed out, and @TREASURE@ for a file that nobody may touch. All is graded by build/grade, in its jail, as a class would be,
-# two cases at a time. Prints a line for each case and ends with "N passed, N failed".
+# tree that was handed out, and @TREASURE@ for a file that nobody may touch.
+#
+# All is graded by build/grade, in its jail, as a class would be, two cases at a time.
+# Prints a line for each case and ends with "N passed, N failed".
 set -u
 unset MAKEFLAGS MFLAGS
 

@@ -51,8 +51,9 @@ order_is_right(session *s, const site *p, uint32_t n)
         uint32_t v = take_number(s, 0, n - 1, "an index in order[]");
         if (i > 0 && !failed(s) &&
             !expect(s, plane_along(d, p[before], p[v]) < 0,
-                    "the line moving along (%ld,%ld) meets point %lu not before %lu",
-                    (long)d.x, (long)d.y, (unsigned long)before, (unsigned long)v)) {
+                    "%lu is listed right before %lu, but a line that moves along (%ld,%ld) "
+                    "does not meet it first",
+                    (unsigned long)before, (unsigned long)v, (long)d.x, (long)d.y)) {
             show_witness(s, before);
             show_witness(s, v);
         }
