@@ -97,7 +97,7 @@ static void
 shrink(session *s, failure *f)
 {
     double patience = s->seconds;
-    runs_left = f->end == FATE_TIMEOUT ? 10 : MOST_RUNS;
+    runs_left = f->end == FATE_TIMEOUT ? 6 : MOST_RUNS;
     s->seconds = f->end == FATE_TIMEOUT ? 1 : patience;
     drop_points(s, f);
     draw_smaller(s, f);
@@ -317,7 +317,7 @@ main(int argc, char **argv)
     }
     s.variant = r.variant;
     s.instances = r.instances;
-    s.seconds = 5;
+    s.seconds = 3;
     signal(SIGPIPE, SIG_IGN);
     FILE *table = NULL;
     if (r.feedback != NULL) {
