@@ -106,12 +106,15 @@ count_tiers(const bench *b, const char *path, tier_counts *t)
     return pclose(pipe) == 0 && found;
 }
 
+/* Where the filters of 3.4 decide nothing, a certificate takes seconds. */
+enum { MOST_SECONDS = 60 };
+
 /* A first run, which is certified; then the counts. */
 static void
 begin_hard(const bench *b, const char *path, const point2 *points, uint32_t n,
            hard_result *h)
 {
-    run r = measure(subject(), NULL, points, n, b->seconds, true);
+    run r = measure(subject(), NULL, points, n, MOST_SECONDS, true);
     h->end = r.end == RUN_DONE && !r.answer.right ? RUN_FAILED : r.end;
     h->seconds = r.times.user;
     write_point_file(path, points, n);
@@ -135,7 +138,8 @@ measure_hard(const bench *b, uint32_t n, hard_result *result)
             if (round == 0) {
                 begin_hard(b, path, points, n, h);
             } else if (h->end == RUN_DONE) {
-                run r = measure(subject(), NULL, points, n, b->seconds, false);
+                run r =
+                    measure(subject(), NULL, points, n, MOST_SECONDS, false);
                 if (r.end == RUN_DONE && r.times.user < h->seconds)
                     h->seconds = r.times.user;
             }
