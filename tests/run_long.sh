@@ -5,9 +5,10 @@
 #   2. the tests of 3.4 built by gcc and clang without and with optimisation, for this
 #      very processor, with contraction where the filters are inlined, and for 32 bits;
 #   3. large inputs, up to a million points (tests/run_sizes.sh);
-#   4. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
+#   4. the same bytes with other C libraries and machines (tests/run_portable.sh);
+#   5. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
 #
-# What a machine lacks is skipped, with a sentence. Ends with "N passed, N failed".
+# What a machine lacks is skipped, with a sentence, and counted apart. Ends with "N passed, N failed".
 set -u
 
 if [ $# -lt 2 ]; then
@@ -34,14 +35,15 @@ TEST_ARGS='--trials-factor 10' tests/run.sh "$build" "$@" | note trials
 
 predicates=$(printf '%s\n' "$@" | grep '^3\.4_')
 probe=$long/probe.c
-echo 'int main(void) { return 0; }' >"$probe"
+printf '%s\n' '#include <errno.h>' 'int main(void) { return errno; }' >"$probe"
 
 # try_flags NAME COMPILER FLAGS [FLAGS FOR PROGRAMS]
 try_flags() {
     echo "--- 3.4 by $2 $3 ${4-}"
     # shellcheck disable=SC2086 # several flags
     if ! $2 $3 "$probe" -o "$long/probe" 2>"$long/probe.log"; then
-        echo "skipped: $2 $3 is not possible here: $(head -n 1 "$long/probe.log")"
+        echo "skipped: $2 $3 is not possible here: $(head -n 1 "$long/probe.log")" |
+            note "$1"
         return
     fi
     targets=
@@ -58,12 +60,14 @@ try_flags() {
     fi
 }
 
+# Where gcc-12-multilib stands without gcc-multilib, asm/ is only here.
+asm=/usr/include/$(gcc -print-multiarch)
 for compiler in gcc clang; do
     try_flags "$compiler-O0" "$compiler" -O0
     try_flags "$compiler-O2" "$compiler" -O2
     try_flags "$compiler-native" "$compiler" '-O3 -march=native'
     try_flags "$compiler-contract" "$compiler" '-O3 -march=native' -ffp-contract=fast
-    try_flags "$compiler-32" "$compiler" '-O2 -m32 -msse2 -mfpmath=sse'
+    try_flags "$compiler-32" "$compiler" "-O2 -m32 -msse2 -mfpmath=sse -idirafter $asm"
 done
 
 # ---- 3 ----
@@ -72,6 +76,14 @@ echo "--- large inputs"
 tests/run_sizes.sh "$build" | note sizes
 
 # ---- 4 ----
+
+echo "--- other C libraries and machines"
+tests/run_portable.sh "$build" >"$long/portable.log"
+cat "$long/portable.log"
+grep '^skipped: ' "$long/portable.log" >"$long/portable.txt"
+tail -n 1 "$long/portable.log" >>"$long/portable.txt"
+
+# ---- 5 ----
 
 seconds=${FUZZ_SECONDS-60}
 echo "--- the readers of files, fuzzed for $seconds s"
@@ -109,7 +121,9 @@ fi
 echo "--- in all"
 awk '
 /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
+/^skipped: / { skipped++ }
 END {
+    printf "%d skipped\n", skipped
     printf "%d passed, %d failed\n", passed, failed
     exit failed > 0 || passed == 0
 }' "$long"/*.txt

@@ -24,7 +24,7 @@
 #ifdef __FAST_MATH__
 #error "exact signs need IEEE arithmetic: compile without -ffast-math, -Ofast"
 #endif
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16
 #error "exact signs need doubles rounded to double: add -msse2 -mfpmath=sse"
 #endif
 

@@ -9,6 +9,8 @@
 
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
+#elif defined __GNUC__
+#pragma GCC optimize("fp-contract=off")
 #endif
 
 /* ---- Functions made of + - * /. ---- */
