@@ -395,9 +395,12 @@ students_get_points_for_what_is_right(void)
           strstr(said, "2.3-a   3 of  3 points:") && !strstr(said, "2.3-b"), "%s", said);
     CLAIM("student.points", run("cd out/t && make -s check") != 0 &&
           strstr(said, "2.3-a   3 of  3 points:") &&
-          strstr(said, "2.3-b   0 of  4 points:"), "%s", said);
+          strstr(said, "2.3-b   0 of  4 points:") &&
+          strstr(said, "all     3 of  7 points\n"), "%s", said);
     CLAIM("student.unknown", run("cd out/t && make -s check EX=2.3-x") != 0 &&
-          strstr(said, "no such exercise"), "%s", said);
+          strstr(said, "no such exercise") && strstr(said, "2.3-a 2.3-b"), "%s", said);
+    CLAIM("student.seed", run("cd out/t && make -s check SEED=x") != 0 &&
+          strstr(said, "SEED is a number") && !strstr(said, "has failed"), "%s", said);
     CLAIM("student.hint", run("cd out/t && make -s hint EX=2.3-a N=2") == 0 &&
           strcmp(said, "  1. What is a sum?\n  2. Draw it.\n") == 0, "%s", said);
     CLAIM("student.hint", run("cd out/t && make -s hint EX=2.3-a") == 0 &&

@@ -174,8 +174,8 @@ check_chain(session *s, const site *p, uint32_t n, bool all)
                    (unsigned long)sc.p, (unsigned long)count_seen(&sc, p));
         else
             expect(s, failed(s) || length > 0 || count_seen(&sc, p) == 0,
-                   "the chain is empty, but %lu sees %lu edges", (unsigned long)sc.p,
-                   (unsigned long)count_seen(&sc, p));
+                   "the chain is empty, but %lu sees %lu of the hull edges",
+                   (unsigned long)sc.p, (unsigned long)count_seen(&sc, p));
         if (all && length == 0)
             expect(s, failed(s) || a == sc.latest,
                    "nothing is seen, and the place on the hull is at %lu, not at %lu",

@@ -185,7 +185,7 @@ report_failure(const session *s, const failure *f, const request *r, FILE *table
     if (r->feedback != NULL) {
         snprintf(picture, sizeof picture, "%s/%s.svg", r->feedback, f->of->name);
         if (f->end != FATE_TODO && questions_of(s)->at != NULL &&
-            picture_write(s, f->of, picture))
+            questions_of(s)->n > 0 && picture_write(s, f->of, picture))
             drawn = picture;
         FILE *text = open_in(r->feedback, f->of->name, ".txt", path, sizeof path);
         print_failure(text, s, f, r, drawn);

@@ -133,7 +133,7 @@ faces_fault(const site *points, uint32_t n, const face_list *list, const bool *m
     for (uint32_t i = 0; i < list->count; i++)
         for (int k = 0; k <= list->item[i].dimension; k++)
             if (list->item[i].vertex[k] >= n)
-                return "there is no such vertex";
+                return "an index is too large";
     for (uint32_t i = 0; i < list->count; i++) {
         const face *s = &list->item[i];
         const char *fault = fault_of(points, list, s, marked);

@@ -1,15 +1,21 @@
 #!/bin/sh
 # run.sh EXERCISE:PROGRAM... - checks the exercises and adds up the points.
 #
-# BUILD, SEED, VARIANT and PROPERTY are set by make. What is wrong stands in
-# BUILD/feedback/EXERCISE/: a text and a picture for each property that fails. Exit
-# status: 0 all is right; 1 not yet; 2 the checker itself has failed.
+# BUILD, SEED, VARIANT, PROPERTY, TARGET (check or sanitize) and EXERCISES (all that
+# there are) are set by make. What is wrong stands in BUILD/feedback/EXERCISE/: a text
+# and a picture for each property that fails. Exit status: 0 all is right; 1 not yet;
+# 2 the checker itself has failed, or there is nothing that it could check.
 set -u
 
 if [ $# -eq 0 ]; then
-    echo "There is no such exercise here, or no check of it." >&2
+    echo "There is no such exercise here, or no check of it. There are: $EXERCISES" >&2
     exit 2
 fi
+case $SEED in
+*[!0-9]*)
+    echo "SEED is a number, and not: $SEED" >&2
+    exit 2 ;;
+esac
 
 status=0
 checked=
@@ -19,7 +25,7 @@ for pair in "$@"; do
     feedback=$BUILD/feedback/$exercise
     rm -rf "$feedback"
     mkdir -p "$feedback"
-    again="make check EX=$exercise SEED=$SEED"
+    again="make $TARGET EX=$exercise SEED=$SEED"
     set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again"
     [ -n "$VARIANT" ] && set -- "$@" --variant "$VARIANT"
     [ -n "$PROPERTY" ] && set -- "$@" --property "$PROPERTY"
@@ -59,5 +65,10 @@ for exercise in $checked; do
         }
         printf "%-6s %2d of %2d points:%s\n", exercise, sum, all, line
     }' assignment.ini "$BUILD/feedback/$exercise/properties.tsv"
-done
+done | awk '
+FILENAME == "assignment.ini" && /^\[/ { here = substr($0, 2, length($0) - 2) }
+FILENAME == "assignment.ini" && /^bonus *= *yes/ { bonus[here] = 1 }
+FILENAME == "assignment.ini" { next }
+{ print; lines++; sum += $2; all += bonus[$1] ? 0 : $4 }
+END { if (lines > 1) printf "%-6s %2d of %2d points\n", "all", sum, all }' assignment.ini -
 exit $status
