@@ -64,6 +64,10 @@ assignment_read(const char *folder)
             last = keys.entry[i].section;
             add_task(&a, &keys, last);
         }
+    a.exercises = a.tasks;
+    if (a.properties > 0 && has_word(ini_value(&keys, "assignment", "files"), ANSWERS,
+                                     strlen(ANSWERS)))
+        answers_ask(&a, folder);
     for (size_t t = 0; t < a.tasks; t++)
         for (size_t p = a.task[t].first; p < a.task[t].end; p++)
             a.property[p].of = &a.task[t];
@@ -117,7 +121,7 @@ base_prepare(const grading *g)
     int status = run(g->base, make, 600, 8000, &said, NULL);
     if (status != 0)
         refuse("the tree that was handed out does not compile (status %d):\n%s", status, said);
-    for (size_t t = 0; t < g->asked.tasks; t++) {
+    for (size_t t = 0; t < g->asked.exercises; t++) {
         bool before = false;
         for (size_t k = 0; k < t; k++)
             before |= strcmp(g->asked.task[k].mode, g->asked.task[t].mode) == 0;

@@ -2,7 +2,7 @@
  *
  *     grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]
  *           [--format LIST] [-o FOLDER] [--csv FILE] [--roster FILE] [--supply]
- *           [--variant NAME] [--require-sandbox] [--one] SUBMISSION|FOLDER...
+ *           [--variant NAME] [--answers] [--require-sandbox] [--one] SUBMISSION|FOLDER...
  *     grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o FOLDER
  *     grade --viva ID -a ... SUBMISSION
  *     grade --pack gradescope -a ... [--seed-file FILE] -o FILE.zip
@@ -31,7 +31,7 @@ typedef struct request {
     const char *what, *base, *seed_file, *formats, *output, *csv, *roster, *variant;
     const char *viva, *pack;
     int workers;
-    bool supply, required, one, prepare;
+    bool supply, answers, required, one, prepare;
     char **path;
 } request;
 
@@ -41,7 +41,7 @@ usage(void)
     fputs("usage: grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]\n"
           "             [--format text,gradescope,classroom50,junit,tap] [-o FOLDER]\n"
           "             [--csv FILE] [--roster FILE] [--supply] [--variant NAME]\n"
-          "             [--require-sandbox] [--one] SUBMISSION|FOLDER...\n"
+          "             [--answers] [--require-sandbox] [--one] SUBMISSION|FOLDER...\n"
           "       grade --prepare [-a WEEK|SECTION|EXERCISE] [--base FOLDER] -o FOLDER\n"
           "       grade --viva ID -a WEEK|SECTION|EXERCISE SUBMISSION\n"
           "       grade --pack gradescope -a WEEK|SECTION|EXERCISE [--seed-file FILE] "
@@ -64,6 +64,8 @@ parse(int argc, char **argv)
         bool known = false;
         if (strcmp(argv[i], "--supply") == 0)
             r.supply = known = true;
+        else if (strcmp(argv[i], "--answers") == 0)
+            r.answers = known = true;
         else if (strcmp(argv[i], "--require-sandbox") == 0)
             r.required = known = true;
         else if (strcmp(argv[i], "--prepare") == 0)
@@ -85,7 +87,8 @@ parse(int argc, char **argv)
     r.path = argv + i;
     bool writes_one = r.pack != NULL || r.prepare;
     if ((r.what == NULL && r.base == NULL) || (writes_one && r.output == NULL) ||
-        (!writes_one && i == argc) || (r.viva != NULL && i + 1 != argc))
+        (!writes_one && i == argc) || (r.viva != NULL && i + 1 != argc) ||
+        (r.answers && r.base != NULL))
         usage();
     r.formats = replace_all(r.formats, ",", " ");
     if (formats_check(r.formats) != NULL)
@@ -179,6 +182,8 @@ bring_base(const request *r, const grading *g, const char *to)
         command_add(&c, "--variant");
         command_add(&c, r->variant);
     }
+    if (r->answers) /* anybody's: the questions of all have the same names */
+        command_add_words(&c, "--student untouched");
     if (run(".", c.word, 120, 4000, &said, NULL) != 0)
         refuse("%s", said);
 }
@@ -435,6 +440,9 @@ main(int argc, char **argv)
         return grade_class(&r, argv[0]);
 
     grading g = prepare(&r, argv[0]);
+    if (r.pack != NULL && g.asked.tasks > g.asked.exercises)
+        refuse("an archive for Gradescope cannot ask for " ANSWERS ": what knows the answers "
+               "is solutions, which it must not have");
     if (r.pack != NULL)
         draw_instances(&g);
     if (r.prepare)

@@ -36,6 +36,7 @@ typedef struct assignment {
     size_t files;
     task *task;
     size_t tasks;
+    size_t exercises;     /* the first tasks; the others are questions of a student's own */
     graded_property *property;
     size_t properties;
     int total;
@@ -43,6 +44,12 @@ typedef struct assignment {
 
 /* Reads FOLDER/assignment.ini; refuses what is none. */
 assignment assignment_read(const char *folder);
+
+#define ANSWERS "answers.txt"
+
+/* Adds the questions of FOLDER/answers.txt, a task for each section: a fifth of the total
+ * is theirs (answers.c). */
+void answers_ask(assignment *a, const char *folder);
 
 /* ---- How a grading is done. ---- */
 
@@ -94,6 +101,10 @@ int result_score(const assignment *a, const result *r);
  * of failures go to OUTPUT/feedback. */
 result mark_submission(const grading *g, const char *name, const char *path,
                        const char *scratch, const char *output);
+
+/* Marks the questions of task t: SCRATCH/src/answers.txt is the file of student `id`. */
+void answers_mark(const grading *g, const task *t, const char *id, const char *scratch,
+                  result *r);
 
 /* Writes the files of the formats that were asked for into the folder (formats.c). Each appears
  * whole, in the place of an older one. */

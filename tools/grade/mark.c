@@ -291,6 +291,8 @@ write_spliced(const build *from, const task *t, const char *folder)
     char *text;
     size_t size;
     for (size_t f = 0; f < a->files; f++) {
+        if (strcmp(a->file[f], ANSWERS) == 0)
+            continue;
         char *reference = file_bytes(format("%s/%s", g->project, a->file[f]), &size);
         if (reference == NULL)
             return false;
@@ -334,13 +336,17 @@ supply(const build *own, const task *t, result *r)
 }
 
 static void
-mark_one(const build *b, const task *t, const listed *l, result *r)
+mark_one(const build *b, const task *t, const char *id, const listed *l, result *r)
 {
-    size_t f = file_of(&b->g->asked, t);
+    const assignment *a = &b->g->asked;
+    size_t f = file_of(a, t);
+    bool exercise = t < a->task + a->exercises;
     const char *said;
     if (l->trouble[f] != NULL)
         mark_task(r, t, "refused", format("%s is not used: %s.", t->path, l->trouble[f]),
                   format("%s is not used: %s.", t->path, l->trouble[f]));
+    else if (!exercise)
+        answers_mark(b->g, t, id, b->folder, r);
     else if (b->refusal[f] != NULL)
         mark_task(r, t, "uncompiled", format("%s does not compile.", t->path),
                   format("%s does not compile:\n%s", t->path, b->refusal[f]));
@@ -349,7 +355,8 @@ mark_one(const build *b, const task *t, const listed *l, result *r)
                   format("The program cannot be linked:\n%s", said));
     else
         check_task(b, t, format("feedback/%s", t->exercise), r);
-    if (b->g->supply && b->g->asked.tasks > 1 && l->trouble[f] == NULL && !all_earned(r, t))
+    if (exercise && b->g->supply && a->exercises > 1 && l->trouble[f] == NULL &&
+        !all_earned(r, t))
         supply(b, t, r);
 }
 
@@ -378,7 +385,7 @@ mark_submission(const grading *g, const char *name, const char *path, const char
     r.notes = l.notes;
     compile_files(&b, &r.fault);
     for (size_t t = 0; t < a->tasks && r.fault == NULL; t++)
-        mark_one(&b, &a->task[t], &l, &r);
+        mark_one(&b, &a->task[t], name, &l, &r);
     keep_pictures(scratch, output);
     return r;
 }

@@ -148,9 +148,10 @@ viva(const grading *g, const char *id, const char *path)
     for (size_t f = 0; f < a->files; f++)
         if (l.trouble[f] != NULL)
             printf("%s is not theirs: %s.\n\n", a->file[f], l.trouble[f]);
-    size_t shown = a->tasks < 3 ? a->tasks : 3, first = number / 997 % a->tasks;
-    for (size_t t = 0; t < a->tasks; t++)
-        if ((t + a->tasks - first) % a->tasks < shown)
+    size_t count = a->exercises;
+    size_t shown = count < 3 ? count : 3, first = number / 997 % count;
+    for (size_t t = 0; t < count; t++)
+        if ((t + count - first) % count < shown)
             print_own(&a->task[t], sources);
     print_bug(g->project, choose_bug(a, g->project, number));
 }
