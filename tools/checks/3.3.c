@@ -188,7 +188,7 @@ const property properties[] = {
     {"3.3-b", "degenerate",
      "So it is for cocircular points and copies; points on one line or circle have a flat "
      "hull, without faces",
-     "page 3.3, lower.P3; docs/errata.md, E26", CASES_DEGENERATE, 30, 150, true,
+     "page 3.3, lower.P3; erratum E26", CASES_DEGENERATE, 30, 150, true,
      hull_is_right},
     {"3.3-b", "neighbours", "The twin of each side runs along the same edge, the other way",
      "lower_hull.h, lifted_hull", CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE, 30, 100,

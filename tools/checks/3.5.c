@@ -390,7 +390,7 @@ const property properties[] = {
     {"3.5-a", "interior",
      "An edge of two triangles abc and abd is locally Delaunay exactly when d is not "
      "inside the circle of abc",
-     "notes 3.5, Definition 9; docs/errata.md, E32", EVERYTHING, 16, 200, true,
+     "notes 3.5, Definition 9; page 3.5, erratum E32", EVERYTHING, 16, 200, true,
      inner_edges_are_judged},
     {"3.5-a", "hull", "An edge of one triangle only is locally Delaunay",
      "notes 3.5, Definition 9", EVERYTHING, 16, 100, true, hull_edges_are_judged},

@@ -307,7 +307,7 @@ const property properties[] = {
     {"3.6-a", "edge",
      "A point on an edge is joined to four corners; one beyond the end of a path, to that "
      "end",
-     "docs/errata.md, E42; incremental.h", CASES_DEGENERATE, 14, 200, false,
+     "page 3.6, erratum E42; incremental.h", CASES_DEGENERATE, 14, 200, false,
      edges_are_split},
     {"3.6-a", "links", "After the split all half-edges have their twins, and each vertex "
                        "knows one that leaves it",
@@ -330,7 +330,7 @@ const property properties[] = {
      "infinity counted): each is of an edge opposite p, and gives p one edge",
      "page 3.6, fig12.P3 and fig12.P5", EVERYTHING, 30, 100, true, flips_give_edges},
     {"3.6-c", "degenerate", "So it is when points coincide, or lie on a line or circle",
-     "docs/errata.md, E42", CASES_DEGENERATE, 30, 200, true, insertion_is_delaunay},
+     "page 3.6, erratum E42", CASES_DEGENERATE, 30, 200, true, insertion_is_delaunay},
     {"3.6-d", "permutation", "Every order of the items can come, and nothing else",
      "incremental.h, shuffle", CASES_GENERAL | CASES_FEW, 5, 20, false, every_order_comes},
     {"3.6-d", "fair", "All orders are equally likely: the checker has gone through all "

@@ -292,7 +292,7 @@ answers_text(const handout *h)
 {
     return *h->student == '\0' ? "" :
         "\n`answers.txt` asks for first steps of the algorithms, by hand, on seven points of "
-        "your own. Fill it in; it is handed in\nwith the rest.\n";
+        "your own. Fill it in; it is handed in\nwith the rest and is worth a fifth of all points.\n";
 }
 
 static void
