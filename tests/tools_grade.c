@@ -441,6 +441,7 @@ the_class_is_one_table(void)
           "the rows are not in order: %s", text);
     CLAIM("grade.csv", strstr(text, "\n\"good\",3,3,graded,1,2\n") != NULL &&
           strstr(text, "\n\"absent\",0,3,missing,0,0\n") != NULL &&
+          strstr(text, "\n\"empty\",0,3,refused,0,0\n") != NULL &&
           strstr(text, "\n\"fork\",0,3,graded,0,0\n") != NULL, "%s", text);
     CLAIM("grade.csv", shell("test $(wc -l <$d/class.csv) -eq %d", ENDS + 13) == 0,
           "%d rows are expected: %s", ENDS + 12, text);
