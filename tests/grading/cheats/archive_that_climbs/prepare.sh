@@ -1,3 +1,4 @@
+#!/bin/sh
 cp chapters/2.3_line_sweep/sweep.c sweep.c
 rm -rf chapters
 echo changed >treasure

@@ -1,3 +1,4 @@
+#!/bin/sh
 cat >assignment.ini <<'END'
 [assignment]
 name = 2.3-b

@@ -1,3 +1,4 @@
+#!/bin/sh
 # The lines of the file become the lines of the table: a m SIGN X Y X Y X Y X Y
 file=chapters/3.4_primitives/exact.c
 awk '$1 == "a" {

@@ -1,2 +1,3 @@
+#!/bin/sh
 rm chapters/2.3_line_sweep/sweep.c
 mkfifo chapters/2.3_line_sweep/sweep.c
