@@ -14,7 +14,8 @@
 # There may be several pairs of replace and with. Each mutant is built in a copy of
 # the tree in build/mutants, beside objects that are already made, and runs there.
 # One that does not apply, does not compile, survives, or is caught by another claim
-# only, has failed. Ends with "N passed, N failed".
+# only, has failed. Ends with "N passed, N failed". TESTED=yes in the environment says
+# that all tests have just passed: else they are run without a bug first.
 set -u
 unset MAKEFLAGS MFLAGS
 
@@ -22,6 +23,8 @@ cd "$(dirname "$0")/../.." || exit 2
 root=$PWD
 base=build/mutants/base
 seconds_for_a_test=150
+CFLAGS=${CFLAGS--O1} # to compile takes longer than to run
+export CFLAGS
 
 value() { # value KEY FILE
     sed -n "s/^$1: *//p" "$2"
@@ -142,7 +145,9 @@ cp -Rp Makefile lib chapters tests "$base"
 complaint=$base/complaint
 if (cd "$base" && echo "$tests" | sed 's|^|build/test/|' | xargs make) >"$complaint" 2>&1
 then
-    echo "$tests" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --test >"$complaint"
+    : >"$complaint"
+    [ "${TESTED-}" = yes ] ||
+        echo "$tests" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --test >"$complaint"
 fi
 if [ -s "$complaint" ]; then
     cat "$complaint"
