@@ -4,7 +4,8 @@
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := all
-.PHONY: all help demo test test-long check weave figures book bench compare mutants verify-grading verify-handouts asan \
+.PHONY: all help demo test test-long check weave figures book bench compare mutants \
+        verify-grading verify-handouts verify-weeks verify-variants asan \
         install uninstall clean
 
 # Two commands at a time (JOBS=4: four), each said in a word (V=1: shown in full).
@@ -225,8 +226,12 @@ mutants: ## plant bugs one by one; each must be caught by a named statement
 verify-grading: $(BUILD)/grade ## wrong, right and hostile submissions: the grader says so (3 minutes)
 	tests/grading/run.sh $(BUILD)
 
-verify-handouts: $(BUILD)/handout ## the promises of every week's handout, and of each variant (4 minutes)
+verify-handouts: verify-weeks verify-variants ## the promises of every week's handout, and of each variant
+
+verify-weeks: $(BUILD)/handout
 	tests/grading/handouts.sh $(BUILD)
+
+verify-variants: $(BUILD)/handout
 	tests/grading/variants.sh $(BUILD)
 
 asan: ## all tests with the address and undefined-behaviour sanitizers
