@@ -84,10 +84,8 @@ shuffle(point2 *points, uint32_t n, random_source *source)
 static void
 fill_uniform(point2 *points, uint32_t n, random_source *source)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        points[i].x = random_unit(source);
-        points[i].y = random_unit(source);
-    }
+    for (uint32_t i = 0; i < n; i++)
+        points[i] = random_point(source);
 }
 
 static void
