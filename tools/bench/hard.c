@@ -23,17 +23,11 @@ fill_sorted_line(point2 *points, uint32_t n, random_source *source)
         points[i] = (point2){i, i};
 }
 
-/* Each order of the line is likely enough. */
 static void
 fill_shuffled_line(point2 *points, uint32_t n, random_source *source)
 {
     fill_sorted_line(points, n, source);
-    for (uint32_t i = n; i > 1; i--) {
-        uint32_t j = random_below(source, i);
-        point2 p = points[i - 1];
-        points[i - 1] = points[j];
-        points[j] = p;
-    }
+    shuffle_points(points, n, source);
 }
 
 static void

@@ -67,9 +67,9 @@ normal_pair(random_source *source)
     return (point2){r * p.x, r * p.y};
 }
 
-/* Every order is equally likely (Fisher and Yates). */
-static void
-shuffle(point2 *points, uint32_t n, random_source *source)
+/* Fisher and Yates. */
+void
+shuffle_points(point2 *points, uint32_t n, random_source *source)
 {
     for (uint32_t i = n; i > 1; i--) {
         uint32_t j = random_below(source, i);
@@ -114,7 +114,7 @@ fill_grid(point2 *points, uint32_t n, random_source *source)
         side++;
     for (uint32_t i = 0; i < n; i++)
         points[i] = (point2){(double)(i % side), (double)(i / side)};
-    shuffle(points, n, source);
+    shuffle_points(points, n, source);
 }
 
 static void
@@ -148,7 +148,7 @@ fill_collinear(point2 *points, uint32_t n, random_source *source)
 {
     for (uint32_t i = 0; i < n; i++)
         points[i] = (point2){i, i};
-    shuffle(points, n, source);
+    shuffle_points(points, n, source);
 }
 
 static void

@@ -118,4 +118,7 @@ typedef struct distribution {
 
 extern const distribution distributions[]; /* ended by a row without a name */
 
+/* Every order is equally likely. */
+void shuffle_points(point2 *points, uint32_t n, random_source *source);
+
 #endif
