@@ -31,7 +31,7 @@ static const char usage[] =
     "time of the program itself (user), the least of all runs; the median and the time\n"
     "on the wall stand beside it. The memory is what is held beyond the points, per\n"
     "point. Answers are certified off the clock; for more than 100000 points, only\n"
-    "those of the program's default algorithm.\n"
+    "those of the program's default algorithm, for more than 20000000, none.\n"
     "The aims of the project are lines PASS or FAIL at the end.\n"
     "\n"
     "Exit status: 0 all has been measured, or stopped at a limit; 1 an algorithm has\n"
