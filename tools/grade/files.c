@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { MOST_OF_A_FILE = 1 << 20, MOST_OF_AN_ARCHIVE = 1 << 23, MOST_ENTRIES = 2000 };
+enum { MOST_OF_A_FILE = 1 << 20, MOST_OF_AN_ARCHIVE = 1 << 25, MOST_ENTRIES = 2000 };
 
 /* ---- Reading one file, without following a link on the way. ---- */
 
@@ -62,7 +62,7 @@ open_below(int folder, const char *path, const char **trouble)
     return at;
 }
 
-static char *
+char *
 read_below(const char *folder, const char *path, size_t most, size_t *size,
            const char **trouble)
 {
@@ -84,55 +84,57 @@ is_folder(const char *path)
     return lstat(path, &about) == 0 && S_ISDIR(about.st_mode);
 }
 
-static bool
-is_archive_name(const char *name)
+/* Has the folder one of the listed files, with or without its folders? */
+bool
+has_listed_file(const assignment *a, const char *folder)
 {
-    return ends_with(name, ".tar") || ends_with(name, ".tar.gz") || ends_with(name, ".tgz");
+    for (size_t f = 0; f < a->files; f++) {
+        const char *name = strrchr(a->file[f], '/');
+        if (access(format("%s/%s", folder, a->file[f]), F_OK) == 0 ||
+            (name != NULL && access(format("%s%s", folder, name), F_OK) == 0))
+            return true;
+    }
+    return false;
 }
 
-/* The only entry of the folder that is_wanted likes; NULL if there are none or several. */
+/* The only archive in the folder, or else its only entry, if that is a folder; NULL if there
+ * are none or several. (What a Mac adds to a zip does not count.) */
 static const char *
-only_entry(const char *folder, bool archive)
+only_entry(const char *folder, bool packed)
 {
     const char *found = NULL;
     int entries = 0;
     DIR *d = opendir(folder);
     for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
         const char *path = format("%s/%s", folder, e->d_name);
-        if (e->d_name[0] == '.' || (archive && !is_archive_name(e->d_name)))
+        if (e->d_name[0] == '.' || strcmp(e->d_name, "__MACOSX") == 0 ||
+            (packed && archive_ending(e->d_name) == 0))
             continue;
         entries++;
-        found = archive || is_folder(path) ? path : NULL;
+        found = packed || is_folder(path) ? path : NULL;
     }
     if (d != NULL)
         closedir(d);
     return entries == 1 ? found : NULL;
 }
 
-/* Archives are unpacked in the jail, into memory, and not further than that. */
-static char *
-read_archive(const grading *g, const char *path, const char *scratch, size_t *size,
-             const char **trouble)
+/* The archive at `path`. A tar that gzip has compressed is unpacked first. */
+static archive
+open_archive(const grading *g, const char *path, const char *scratch, const char **trouble)
 {
+    size_t size;
     const char *slash = strrchr(path, '/');
     const char *folder = slash != NULL ? part_of(path, (size_t)(slash - path) + 1) : ".";
     char *bytes = read_below(folder, slash != NULL ? slash + 1 : path, MOST_OF_AN_ARCHIVE,
-                             size, trouble);
-    if (bytes == NULL)
-        return NULL;
-    if (*size > 2 && (unsigned char)bytes[0] == 0x1F && (unsigned char)bytes[1] == 0x8B) {
-        const char *packed = format("%s/packed", scratch), *work = format("%s/unpack", scratch);
-        write_file(format("%s/a.gz", packed), bytes, *size);
-        make_folder(work);
-        command_line c = jail_compile(g, (const char *[]){packed, NULL}, work);
-        command_add_words(&c, "gzip -dc");
-        command_add(&c, format("%s/a.gz", packed));
-        if (run(scratch, c.word, 60, MOST_OF_AN_ARCHIVE, &bytes, size) != 0)
-            *trouble = "the archive cannot be unpacked: make it again with `make submit`";
-    }
-    if (*trouble == NULL && !archive_is_one(bytes, *size))
-        *trouble = "it is no archive of `make submit`";
-    return *trouble == NULL ? bytes : NULL;
+                             &size, trouble);
+    if (bytes == NULL && *trouble == NULL)
+        *trouble = "it is not there";
+    if (bytes != NULL && size > 2 && memcmp(bytes, "\x1F\x8B", 2) == 0)
+        bytes = unpack(g, scratch, bytes, size, MOST_OF_AN_ARCHIVE, &size, trouble);
+    archive a = bytes != NULL ? archive_read(bytes, size) : (archive){0};
+    if (*trouble == NULL)
+        *trouble = a.trouble;
+    return a;
 }
 
 /* The folder in which the files are: the submission, or the only folder in it. */
@@ -149,7 +151,7 @@ top_folder(const assignment *a, const char *path)
     return path;
 }
 
-/* ---- Sources that are not listed: said, and not used. ---- */
+/* ---- What is not listed: said, and not used. ---- */
 
 /* By its path, or by its name without a folder. */
 static bool
@@ -163,11 +165,31 @@ is_listed(const assignment *a, const char *path)
     return false;
 }
 
+static bool
+is_source(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 2 && name[length - 2] == '.' && strchr("chCH", name[length - 1]) != NULL;
+}
+
+static bool
+is_in_the_tree(const grading *g, const char *path)
+{
+    return access(format("%s/%s", g->base, path), F_OK) == 0;
+}
+
 typedef struct strangers {
     const char **path;
     size_t count;
     int entries; /* that have been looked at */
 } strangers;
+
+static void
+add_stranger(strangers *s, const char *path)
+{
+    s->path = take_one_more(s->path, s->count, sizeof *s->path);
+    s->path[s->count++] = clean(path, strlen(path), 300);
+}
 
 /* Finds sources below folder/path that neither the assignment lists nor the tree has.
  * The length of a name bounds the depth. */
@@ -178,21 +200,35 @@ find_strangers(const grading *g, const char *folder, const char *path, strangers
     for (struct dirent *e; d != NULL && (e = readdir(d)) != NULL;) {
         const char *name = *path != '\0' ? format("%s/%s", path, e->d_name)
                                          : format("%s", e->d_name);
-        bool source = ends_with(name, ".c") || ends_with(name, ".h");
         if (e->d_name[0] == '.' || strcmp(name, "build") == 0 || strlen(name) > 300)
             continue;
         if (++s->entries > MOST_ENTRIES)
             break;
-        if (is_folder(format("%s/%s", folder, name))) {
+        if (is_folder(format("%s/%s", folder, name)))
             find_strangers(g, folder, name, s);
-        } else if (source && !is_listed(&g->asked, name) &&
-                   access(format("%s/%s", g->base, name), F_OK) != 0) {
-            s->path = take_one_more(s->path, s->count, sizeof *s->path);
-            s->path[s->count++] = clean(name, strlen(name), 300);
-        }
+        else if (is_source(name) && !is_listed(&g->asked, name) && !is_in_the_tree(g, name))
+            add_stranger(s, name);
     }
     if (d != NULL)
         closedir(d);
+}
+
+/* The same in an archive, where the tree may be below some folder. Of what leads elsewhere
+ * all is named. */
+static void
+find_packed_strangers(const grading *g, const archive *a, strangers *s)
+{
+    for (size_t i = 0; i < a->files; i++) {
+        const char *name = a->file[i].name;
+        bool known = a->file[i].used || !is_source(name);
+        for (const char *part = name; part != NULL && !known && !leads_elsewhere(name);) {
+            known = is_in_the_tree(g, part) && !is_listed(&g->asked, part);
+            part = strchr(part, '/');
+            part += part != NULL;
+        }
+        if (leads_elsewhere(name) || !known)
+            add_stranger(s, name);
+    }
 }
 
 static int
@@ -203,21 +239,25 @@ by_letters(const void *a, const void *b)
 
 /* One sentence about the first few. */
 static const char *
-tell_strangers(const grading *g, const char *folder)
+tell_strangers(strangers s)
 {
-    strangers s = {0};
     const char *list = "";
-    find_strangers(g, folder, "", &s);
     if (s.count == 0)
         return "";
     qsort(s.path, s.count, sizeof *s.path, by_letters);
     for (size_t i = 0; i < s.count && i < 5; i++)
         list = format("%s%s%s", list, i > 0 ? ", " : "", s.path[i]);
-    return format("Not among the files to be handed in, and not used: %s%s.\n", list,
+    return format("In the submission, but not used: %s%s.\n", list,
                   s.count > 5 ? format(" and %zu more", s.count - 5) : "");
 }
 
 /* ---- All of it. ---- */
+
+typedef struct submitted {
+    const char *folder; /* or NULL: then it is the archive */
+    archive packed;
+    const char *scratch;
+} submitted;
 
 static char *
 copy_of(const char *bytes, size_t size)
@@ -227,45 +267,57 @@ copy_of(const char *bytes, size_t size)
     return copy;
 }
 
-typedef struct source_of_files {
-    const char *folder; /* or */
-    char *archive;
-    size_t archive_size;
-} source_of_files;
+static char *
+read_packed(const grading *g, const submitted *s, const char *path, size_t *size,
+            const char **trouble)
+{
+    packed_file *f = archive_find(&s->packed, path, trouble);
+    if (f == NULL)
+        return NULL;
+    f->used = true;
+    *size = f->size;
+    if (f->size > MOST_OF_A_FILE || (f->deflated && f->whole > MOST_OF_A_FILE))
+        *trouble = "it is too large";
+    else if (!f->deflated)
+        return copy_of(f->bytes, f->size);
+    else
+        return unpack_deflated(g, s->scratch, f, MOST_OF_A_FILE, size, trouble);
+    return NULL;
+}
+
+static char *
+read_as(const grading *g, const submitted *s, const char *path, size_t *size,
+        const char **trouble)
+{
+    return s->folder != NULL ? read_below(s->folder, path, MOST_OF_A_FILE, size, trouble)
+                             : read_packed(g, s, path, size, trouble);
+}
 
 /* Files may come without their folders: where one uploads them one by one. */
 static char *
-read_listed(const source_of_files *s, const char *path, size_t *size, const char **trouble)
+read_listed(const grading *g, const submitted *s, const char *path, size_t *size,
+            const char **trouble)
 {
     const char *name = strrchr(path, '/');
     *trouble = NULL;
-    if (s->archive != NULL) {
-        const char *found = archive_find(s->archive, s->archive_size, path, size, trouble);
-        if (found == NULL && *trouble == NULL && name != NULL)
-            found = archive_find(s->archive, s->archive_size, name + 1, size, trouble);
-        if (found != NULL && *size > MOST_OF_A_FILE)
-            *trouble = "it is too large";
-        return found != NULL && *trouble == NULL ? copy_of(found, *size) : NULL;
-    }
-    char *bytes = read_below(s->folder, path, MOST_OF_A_FILE, size, trouble);
+    char *bytes = read_as(g, s, path, size, trouble);
     if (bytes == NULL && *trouble == NULL && name != NULL)
-        bytes = read_below(s->folder, name + 1, MOST_OF_A_FILE, size, trouble);
+        bytes = read_as(g, s, name + 1, size, trouble);
     return bytes;
 }
 
-static source_of_files
+static submitted
 open_submission(const grading *g, const char *path, const char *scratch,
                 const char **trouble)
 {
-    source_of_files s = {.folder = is_folder(path) ? top_folder(&g->asked, path) : NULL};
-    const char *archive = s.folder != NULL ? only_entry(s.folder, true) : path;
-    bool loose = s.folder != NULL &&
-        access(format("%s/%s", s.folder, g->asked.file[0]), F_OK) == 0;
+    submitted s = {.scratch = scratch,
+                   .folder = is_folder(path) ? top_folder(&g->asked, path) : NULL};
+    const char *packed = s.folder == NULL ? path
+        : has_listed_file(&g->asked, s.folder) ? NULL : only_entry(s.folder, true);
     *trouble = NULL;
-    if (archive != NULL && !loose) {
-        s.archive = read_archive(g, archive, scratch, &s.archive_size, trouble);
-        if (s.archive == NULL && *trouble == NULL)
-            *trouble = "it is not there";
+    if (packed != NULL) {
+        s.folder = NULL;
+        s.packed = open_archive(g, packed, scratch, trouble);
     }
     return s;
 }
@@ -276,20 +328,27 @@ files_collect(const grading *g, const char *path, const char *to)
     const assignment *a = &g->asked;
     listed l = {take(a->files * sizeof *l.trouble), ""};
     const char *trouble, *scratch = format("%s.scratch", to);
+    strangers others = {0};
     make_folder(scratch);
-    source_of_files s = open_submission(g, path, scratch, &trouble);
+    submitted s = open_submission(g, path, scratch, &trouble);
     if (trouble != NULL)
         l.notes = format("The submission cannot be read: %s.\n", trouble);
     for (size_t i = 0; i < a->files; i++) {
         size_t size = 0;
-        char *bytes = trouble != NULL ? NULL : read_listed(&s, a->file[i], &size, &l.trouble[i]);
-        if (bytes == NULL && l.trouble[i] == NULL)
+        char *bytes = trouble != NULL ? NULL
+                                      : read_listed(g, &s, a->file[i], &size, &l.trouble[i]);
+        if (l.trouble[i] != NULL)
+            l.trouble[i] = clean(l.trouble[i], strlen(l.trouble[i]), 300);
+        else if (bytes == NULL)
             l.trouble[i] = trouble != NULL ? trouble : "it was not handed in";
         if (bytes == NULL)
             bytes = file_bytes(format("%s/%s", g->base, a->file[i]), &size);
         write_file(format("%s/%s", to, a->file[i]), bytes, size);
     }
     if (s.folder != NULL)
-        l.notes = format("%s%s", l.notes, tell_strangers(g, s.folder));
+        find_strangers(g, s.folder, "", &others);
+    else
+        find_packed_strangers(g, &s.packed, &others);
+    l.notes = format("%s%s", l.notes, tell_strangers(others));
     return l;
 }

@@ -7,6 +7,8 @@
 #ifndef TOOLS_GRADE_GRADE_H
 #define TOOLS_GRADE_GRADE_H
 
+#include "tools/grade/archive.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -124,13 +126,24 @@ typedef struct listed {
  * there, or are none, as they were handed out. */
 listed files_collect(const grading *g, const char *path, const char *to);
 
-/* A tar archive: the regular file whose path is `path`, or ends with it after a slash.
- * NULL: there is none; then *trouble may say why. */
-const char *archive_find(const char *bytes, size_t size, const char *path,
-                         size_t *found_size, const char **trouble);
+/* Has the folder one of the listed files, with or without its folders? */
+bool has_listed_file(const assignment *a, const char *folder);
 
-/* Is it an archive at all? */
-bool archive_is_one(const char *bytes, size_t size);
+/* Opens folder/path, where none of the parts of `path` may be a link, and reads it: at most
+ * `most` bytes, and a NUL. NULL: *trouble says why, or is NULL when there is no such file. */
+char *read_below(const char *folder, const char *path, size_t most, size_t *size,
+                 const char **trouble);
+
+/* ---- What gzip has compressed (unpack.c). ---- */
+
+/* Decompresses in the jail, in folders below `scratch`. NULL: *trouble says why; that there
+ * are more than `most` bytes, for example. */
+char *unpack(const grading *g, const char *scratch, const char *bytes, size_t size, size_t most,
+             size_t *unpacked_size, const char **trouble);
+
+/* The same for a file in a zip archive. */
+char *unpack_deflated(const grading *g, const char *scratch, const packed_file *f, size_t most,
+                      size_t *unpacked_size, const char **trouble);
 
 /* ---- Running programs (run.c). ---- */
 

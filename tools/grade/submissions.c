@@ -29,10 +29,9 @@ name_of(const char *path)
         name = current_folder();
     if (strrchr(name, '/') != NULL && strrchr(name, '/')[1] != '\0')
         name = strrchr(name, '/') + 1;
-    static const char *const endings[] = {".tar", ".tar.gz", ".tgz"};
-    for (int i = 0; i < 3; i++)
-        if (ends_with(name, endings[i]) && strlen(name) > strlen(endings[i]))
-            return part_of(name, strlen(name) - strlen(endings[i]));
+    size_t ending = archive_ending(name);
+    if (ending > 0 && strlen(name) > ending)
+        return part_of(name, strlen(name) - ending);
     return name;
 }
 
@@ -60,18 +59,14 @@ is_class(const assignment *a, bool one, const char *path)
     int entries = 0, archives = 0, folders = 0;
     if (one || !is_folder(path) || (d = opendir(path)) == NULL)
         return false;
-    bool own = access(format("%s/assignment.ini", path), F_OK) == 0;
-    for (size_t f = 0; f < a->files; f++) {
-        const char *name = strrchr(a->file[f], '/');
-        own |= access(format("%s/%s", path, a->file[f]), F_OK) == 0;
-        own |= name != NULL && access(format("%s%s", path, name), F_OK) == 0;
-    }
+    bool own = access(format("%s/assignment.ini", path), F_OK) == 0 ||
+               has_listed_file(a, path);
     for (struct dirent *e; (e = readdir(d)) != NULL;) {
         if (e->d_name[0] == '.')
             continue;
         entries++;
         folders += is_folder(format("%s/%s", path, e->d_name));
-        archives += strcmp(name_of(e->d_name), e->d_name) != 0;
+        archives += archive_ending(e->d_name) > 0;
     }
     closedir(d);
     return !own && entries > 0 && archives + folders > 0 && !(entries == 1 && archives == 1);
