@@ -71,6 +71,26 @@ library_has_no_writable_globals() {
     END { exit bad }' "$scratch/symbols"
 }
 
+# A program may have set any locale. lib/decimal.c reads and writes numbers in all of them;
+# the others ask it.
+# shellcheck disable=SC2016 # the dollars are awk's
+library_asks_no_locale() {
+    nm -A -P "$build/libtri.a" >"$scratch/symbols" || return 1
+    awk '
+    function wrong(what) { print what ": leave it to lib/decimal.c"; bad = 1 }
+    FILENAME ~ /symbols$/ {
+        if ($3 == "U" && $1 !~ /[[]decimal[.]o[]]/ &&
+            $2 ~ /^(strto(d|f|ld)|atof|.*scanf|__ctype_.*|is(alpha|digit|space|upper|lower))$/)
+            wrong($1 " " $2 " depends on the locale")
+        next
+    }
+    FILENAME != "lib/decimal.c" && FILENAME !~ /figures[.]c$/ &&
+    /"[^"]*%[-+ #0-9.*]*L?[aefgAEFG]/ {
+        wrong(FILENAME ":" FNR ": printf writes the point of the locale")
+    }
+    END { exit bad }' "$scratch/symbols" lib/*.c chapters/*/*.c
+}
+
 claims_are_paired() {
     claims_of_pages >"$scratch/pages"
     claims_of_tests >"$scratch/tests"
@@ -210,6 +230,7 @@ check "the pages quote what the sources say, and their references lead somewhere
 check "the pages show the steps that the algorithms take" say_check
 check "lib, chapters and programs include only what they may" deps
 check "the library has no writable globals" library_has_no_writable_globals
+check "what the library reads and writes is the same in every locale" library_asks_no_locale
 check "each claim of a page is asserted by a test, and the other way round" claims_are_paired
 check "each erratum with a witness has a test, and the other way round" errata_are_paired
 check "the map of the notes has every test, and code for all that stands" map_is_complete
