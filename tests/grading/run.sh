@@ -26,7 +26,7 @@
 #
 # and the submission is the project's own code with these changes, those that there are:
 #
-#     change          pieces of lines replaced, as tests/mutants/run.sh explains it
+#     change          pieces of lines replaced, as tests/plant.awk explains it
 #     solution.c      functions that take the place of those with the same names
 #     prepare.sh      does what it likes with the folder that is handed in
 #
@@ -72,33 +72,6 @@ prepare_exercise() { # prepare_exercise EXERCISE
 }
 
 # ---- Submissions. ----
-
-# Replaces pieces of lines; complains when one of them is not found exactly once.
-apply_change() { # apply_change CHANGE FILE
-    awk '
-    FILENAME == ARGV[1] {
-        if (sub(/^replace: */, "")) piece[++pieces] = $0
-        else if (sub(/^with: */, "")) instead[pieces] = $0
-        next
-    }
-    {
-        for (p = 1; p <= pieces; p++)
-            if ((at = index($0, piece[p])) > 0) {
-                rest = substr($0, at + length(piece[p]))
-                found[p] += index(rest, piece[p]) > 0 ? 2 : 1
-                $0 = substr($0, 1, at - 1) instead[p] rest
-            }
-        print
-    }
-    END {
-        for (p = 1; p <= pieces; p++)
-            if (found[p] != 1) {
-                printf "found %d times: %s\n", found[p], piece[p] | "cat >&2"
-                wrong = 1
-            }
-        exit wrong || pieces == 0
-    }' "$1" "$2"
-}
 
 # A function's definition goes from the line before its name, which begins a line, to a
 # brace that begins one. The first that is replaced makes room for all of the solution.
@@ -148,7 +121,7 @@ make_submission() {
     done
     if [ -f "$case/change" ]; then
         file=$(sed -n 's/^file: *//p' "$case/change")
-        apply_change "$case/change" "$file" >"$submission/$file" || return 1
+        awk -f tests/plant.awk "$case/change" "$file" >"$submission/$file" || return 1
     fi
     if [ -f "$case/solution.c" ]; then
         file=$(awk -v wanted="[$exercise]" '/^\[/ { here = $0 == wanted }
