@@ -5,6 +5,7 @@
  */
 #include "chapters/2.1_simplicial_complexes/complex.h"
 #include "tests/harness/harness.h"
+#include "tests/oracle/oracle.h"
 
 static uint32_t
 binomial(uint32_t n, uint32_t k)
@@ -77,14 +78,40 @@ e1_independent_points_are_dependent_vectors(void)
     CLAIM("E1", points[0].x == 0 && points[0].y == 0, "no vector is zero");
 }
 
-static void
-affine_dimensions(void)
+/* Looks at all pairs and triples, with big integers. */
+static int
+dimension_by_all_triples(const point2 *p, uint32_t n)
 {
-    const point2 p[] = {{1, 1}, {1, 1}, {2, 2}, {3, 3}, {3, 4}};
-    const int dimension[] = {-1, 0, 0, 1, 1, 2};
-    for (uint32_t n = 0; n <= 5; n++)
-        CLAIM("def1.P1", affine_dimension(p, n) == dimension[n], "%d for %u points",
-              affine_dimension(p, n), n);
+    int dimension = n > 0 ? 0 : -1;
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = 0; j < i; j++) {
+            if (dimension == 0 && (p[i].x != p[j].x || p[i].y != p[j].y))
+                dimension = 1;
+            for (uint32_t k = 0; k < j && dimension < 2; k++)
+                if (oracle_orient2d(p[i], p[j], p[k]) != 0)
+                    dimension = 2;
+        }
+    return dimension;
+}
+
+static void
+a_basis_spans_all_points(const point2 *p, uint32_t n)
+{
+    int dimension = dimension_by_all_triples(p, n);
+    simplex basis = affine_basis(p, n);
+    const vertex_id *v = basis.vertex;
+    CLAIM("def1.P2", affine_dimension(p, n) == dimension, "%d, and not %d",
+          affine_dimension(p, n), dimension);
+    CLAIM("def1.P2", basis.dimension == dimension, "a basis of %d points",
+          basis.dimension + 1);
+    for (int i = 0; i <= dimension; i++)
+        CLAIM("def1.P2", v[i] < n && (i == 0 || v[i - 1] < v[i]), "point %u", v[i]);
+    if (dimension == 1)
+        CLAIM("def1.P2", p[v[0]].x != p[v[1]].x || p[v[0]].y != p[v[1]].y,
+              "%u and %u are one point", v[0], v[1]);
+    if (dimension == 2)
+        CLAIM("def1.P2", oracle_orient2d(p[v[0]], p[v[1]], p[v[2]]) != 0,
+              "%u, %u and %u are collinear", v[0], v[1], v[2]);
 }
 
 int
@@ -95,6 +122,9 @@ main(int argc, char **argv)
     test_run("a triangle has 8 faces", a_triangle_has_eight_faces);
     test_grid_subsets("affine independence", affine_independence_has_no_first_point, 3);
     test_run("E1: vectors and points", e1_independent_points_are_dependent_vectors);
-    test_run("affine dimension", affine_dimensions);
-    return test_end((test_minima){.trials = 500, .largest_n = 9, .zeros = 10});
+    test_random("affine basis", a_basis_spans_all_points, 2000, 12);
+    test_near_degenerate("affine basis", a_basis_spans_all_points, 2000, 8);
+    test_grid_subsets("affine basis", a_basis_spans_all_points, 3);
+    return test_end((test_minima){.trials = 5000, .largest_n = 12, .zeros = 1000,
+                                  .expansions = 100, .wide = 100});
 }

@@ -120,7 +120,8 @@ accepts_exactly_the_complexes(const point2 *points, uint32_t n)
     }
 }
 
-/* A point is in |K| exactly when it is in a closed simplex of the list. */
+/* A point is in |K| exactly when it is in a closed simplex of the list, and then in the
+ * interior of the carrier: in the carrier, and in no closed smaller face of it. */
 static void
 the_underlying_space_is_the_union(const point2 *points, uint32_t n)
 {
@@ -133,10 +134,43 @@ the_underlying_space_is_the_union(const point2 *points, uint32_t n)
     for (int x = -1; x < 8; x++)
         for (int y = -1; y < 8; y++) {
             point2 q = {x * 0.5, y * 0.5};
-            CLAIM("def3.P1", underlying_space_contains(points, list, q) ==
-                  (in_closed(points, some[0], q) || in_closed(points, some[1], q)),
+            simplex s, face[16];
+            bool contains = underlying_space_contains(points, list, q, &s);
+            CLAIM("def3.P2", contains == (in_closed(points, some[0], q) ||
+                                          in_closed(points, some[1], q)),
                   "the point (%g,%g)", q.x, q.y);
+            for (uint32_t i = 1; contains && i < simplex_faces(s, face); i++)
+                CLAIM("def3.P2", in_closed(points, face[i], q) ==
+                      (face[i].dimension == s.dimension),
+                      "the point (%g,%g) and face %u of its carrier", q.x, q.y, i);
         }
+}
+
+/* The carrier is the only simplex of a complex with the point in its interior; so it
+ * does not matter which simplices come first. */
+static void
+a_complex_has_one_carrier(const point2 *points, uint32_t n)
+{
+    HYPOTHESIS(n >= 3);
+    random_source *r = test_random_source();
+    simplex some[2] = {random_simplex(r, n), random_simplex(r, n)};
+    simplex_list list;
+    CLAIM("def3.P2", simplex_closure((simplex_list){2, some}, &list) == TRI_OK,
+          "out of memory");
+    bool complex = is_complex(points, n, list).holds;
+    for (int x = -1; x < 8 && complex; x++)
+        for (int y = -1; y < 8; y++) {
+            point2 q = {x * 0.5, y * 0.5};
+            simplex s, t;
+            bool contains = underlying_space_contains(points, list, q, &s);
+            for (uint32_t i = 0; contains && i < list.count; i++) {
+                simplex_list rest = {list.count - i, list.simplex + i};
+                if (underlying_space_contains(points, rest, q, &t))
+                    CLAIM("def3.P2", s.dimension == t.dimension && simplex_is_face(s, t),
+                          "two carriers of (%g,%g)", q.x, q.y);
+            }
+        }
+    simplex_list_free(&list);
 }
 
 /* ---- Single cases. ---- */
@@ -182,6 +216,7 @@ bad_lists_are_refuted(void)
     simplex out_of_range[] = {{0, {4}}},
             unordered[] = {{0, {1}}, {0, {0}}, {1, {1, 0}}};
     simplex solid[] = {{3, {0, 1, 2, 3}}}, same[] = {{0, {0}}, {0, {3}}};
+    simplex twice[] = {{0, {0}}, {0, {1}}, {1, {0, 1}}, {1, {0, 1}}};
     CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){1, out_of_range}).holds,
           "range");
     CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){3, unordered}).holds,
@@ -190,6 +225,9 @@ bad_lists_are_refuted(void)
           "dimension 3");
     CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){2, same}).holds,
           "one location");
+    CLAIM("def3.P1", is_complex(points, 4, (simplex_list){3, twice}).holds, "an edge");
+    CLAIM("def3.P1", !is_complex(points, 4, (simplex_list){4, twice}).holds,
+          "an edge, twice");
     CLAIM("def3.P1", is_complex(points, 4, (simplex_list){0, NULL}).holds, "empty");
 }
 
@@ -199,6 +237,7 @@ main(int argc, char **argv)
     test_begin(argc, argv, "Definition 3: simplicial complexes");
     test_grid_subsets("exactly the complexes", accepts_exactly_the_complexes, 3);
     test_grid_subsets("the underlying space", the_underlying_space_is_the_union, 3);
+    test_grid_subsets("one carrier", a_complex_has_one_carrier, 3);
     test_run("closures", closures);
     test_run("E2: a face of both", e2_the_intersection_must_be_a_common_face);
     test_run("bad lists", bad_lists_are_refuted);

@@ -291,6 +291,8 @@ faults_have_witnesses(void)
     vertex_id two_names[][3] = {{0, 1, 2}, {0, 4, 3}};
     vertex_id beyond[][3] = {{0, 1, 9}};
     vertex_id touching[][3] = {{0, 1, 4}, {4, 2, 3}};
+    /* Vertex 4 lies inside the edge 02 of one triangle; a flat one sews it up. */
+    vertex_id sewn[][3] = {{0, 1, 2}, {0, 4, 3}, {4, 2, 3}, {0, 2, 4}};
     CLAIM("def4.P2", check(p, 5, bay, 3).witness[0] == 4, "the bay at vertex 4");
     CLAIM("def4.P4", !check(p, 4, twice, 2).holds, "two triangles left of one edge");
     CLAIM("def4.P3", check(p, 4, clockwise, 2).witnesses == 3, "a clockwise triangle");
@@ -298,7 +300,8 @@ faults_have_witnesses(void)
           "one point, two vertices");
     CLAIM("def4.P3", !check(p, 4, beyond, 1).holds, "vertex 9 of 4");
     CLAIM("def4.P2", !check(p, 5, touching, 2).holds, "two triangles at a vertex");
-    CLAIM("def4.P3", !check(p, 4, NULL, 0).holds, "no triangle for a square");
+    CLAIM("def4.P4", check(p, 5, sewn, 4).witnesses == 3, "a flat triangle");
+    CLAIM("def4.P3", check(p, 4, NULL, 0).witnesses == 3, "no triangle for a square");
 }
 
 static void

@@ -216,6 +216,11 @@ check_walks(const drawing *d, const euler_counts *c)
         CLAIM("thm1.P1", region_of(d, d->g.outside) == set_of(d->region, 0),
               "half-edge %u is not on the outer face", d->g.outside);
     CLAIM("thm1.P1", c->f == regions, "%u faces counted, %u regions", c->f, regions);
+    uint32_t around = 0; /* the sides that have the outer face on their left */
+    for (halfedge_id h = 0; h < 2 * d->edges; h++)
+        around += region_of(d, h) == set_of(d->region, 0);
+    if (c->components == 1)
+        CLAIM("thm1.P1", c->h == around, "h = %u, and %u sides", c->h, around);
     free(of_walk);
     free(left);
 }
@@ -607,6 +612,24 @@ e4_duals_are_not_simple(void)
     graph_free(&dual);
 }
 
+/* Graphs with nothing in them, and graphs with too much. */
+static void
+the_smallest_and_the_largest(void)
+{
+    plane_graph g, dual;
+    bool yes = false;
+    CLAIM("graph.P2", graph_from_drawing(NULL, 0, NULL, 0, &g) == TRI_OK &&
+          graph_is_connected(&g, &yes) == TRI_OK && yes,
+          "the graph with %u vertices is not connected", g.vertices);
+    CLAIM("thm1.P7", graph_dual(&g, &dual) == TRI_OK && dual.vertices == 0,
+          "%u faces of nothing", dual.vertices);
+    graph_free(&dual);
+    graph_free(&g);
+    tri_status status = graph_from_drawing(NULL, 0, NULL, UINT32_MAX / 2 + 1, &g);
+    CLAIM("thm1.P1", status == TRI_TOO_MANY_POINTS && g.origin == NULL,
+          "more half-edges than numbers: %s", tri_status_text(status));
+}
+
 /* Everything that allocates, once. */
 static tri_status
 all_of_it(const mesh *m, const point2 *points)
@@ -683,6 +706,7 @@ main(int argc, char **argv)
     test_run("K4 is planar", k4_is_planar);
     test_run("K5 is not", k5_is_not);
     test_run("E4: duals are not simple", e4_duals_are_not_simple);
+    test_run("the smallest and the largest", the_smallest_and_the_largest);
     test_run("memory may run out", memory_may_run_out);
     return test_end((test_minima){.trials = 80000, .largest_n = 90, .zeros = 100000,
                                   .expansions = 1000, .wide = 1000});

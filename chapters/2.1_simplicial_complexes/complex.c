@@ -29,20 +29,22 @@ is_affinely_independent(const point2 *points, simplex s)
     return true;
 }
 
+simplex
+affine_basis(const point2 *points, uint32_t n)
+{
+    simplex basis = {.dimension = -1};
+    for (vertex_id v = 0; v < n && basis.dimension < 2; v++) {
+        basis.vertex[++basis.dimension] = v;
+        if (!is_affinely_independent(points, basis))
+            basis.dimension--;
+    }
+    return basis;
+}
+
 int
 affine_dimension(const point2 *points, uint32_t n)
 {
-    if (n == 0)
-        return -1;
-    uint32_t i = 1;
-    while (i < n && same_location(points[0], points[i]))
-        i++;
-    if (i == n)
-        return 0;
-    for (uint32_t j = i + 1; j < n; j++)
-        if (orient2d(points[0], points[i], points[j]) != 0)
-            return 2;
-    return 1;
+    return affine_basis(points, n).dimension;
 }
 
 uint32_t
@@ -132,12 +134,13 @@ inside_edge(point2 a, point2 b, point2 x)
            compare_along(lexicographic, a, x) * compare_along(lexicographic, x, b) > 0;
 }
 
-/* Is x in the interior of the triangle abc, of either orientation? */
+/* Is x in the interior of the triangle abc, which may turn either way but is not flat?
+ * It is on no line of a side, then, for it cannot be on all three. */
 static bool
 inside_triangle(point2 a, point2 b, point2 c, point2 x)
 {
     int side = orient2d(a, b, x);
-    return side != 0 && orient2d(b, c, x) == side && orient2d(c, a, x) == side;
+    return orient2d(b, c, x) == side && orient2d(c, a, x) == side;
 }
 
 /* Is x in the interior of s (of a vertex: is it the vertex)? */
@@ -155,15 +158,18 @@ inside_simplex(const point2 *points, simplex s, point2 x)
 }
 
 bool
-underlying_space_contains(const point2 *points, simplex_list list, point2 x)
+underlying_space_contains(const point2 *points, simplex_list list, point2 x,
+                          simplex *carrier)
 {
     /* A closed simplex is the union of the interiors of its faces. */
     for (uint32_t i = 0; i < list.count; i++) {
         simplex face[16];
         uint32_t faces = simplex_faces(list.simplex[i], face);
-        for (uint32_t j = 1; j < faces; j++)
-            if (inside_simplex(points, face[j], x))
+        for (uint32_t j = 1; j < faces; j++) {
+            *carrier = face[j];
+            if (inside_simplex(points, *carrier, x))
                 return true;
+        }
     }
     return false;
 }

@@ -31,8 +31,13 @@ typedef struct simplex_list {
  */
 bool is_affinely_independent(const point2 *points, simplex s);
 
-/* The dimension of the smallest affine space that holds n points: -1 for no point,
- * 0 for one location, 1 for collinear points, else 2. Cost: n orientation tests. */
+/* An affine basis of n points: affinely independent ones whose affine space, the
+ * smallest, holds all. Each is the first that is not in the space of those before.
+ * Cost: at most n orientation tests. Source: notes 2.1. */
+simplex affine_basis(const point2 *points, uint32_t n);
+
+/* The dimension of that space: -1 for no point, 0 for one location, 1 for collinear
+ * points, else 2. */
 int affine_dimension(const point2 *points, uint32_t n);
 
 /* All faces of s, the empty one and s itself included; returns 2^(k+1), how many
@@ -56,8 +61,13 @@ void simplex_list_free(simplex_list *list);
 /* The largest dimension in the list; -1 when it is empty. */
 int complex_dimension(simplex_list list);
 
-/* Does some listed simplex contain x: is x in the underlying space |K|? */
-bool underlying_space_contains(const point2 *points, simplex_list list, point2 x);
+/* Does some listed simplex contain x: is x in the underlying space |K|?
+ *
+ * Then *carrier is a face of a listed simplex that has x in its interior: of a complex
+ * the only one (page 2.1, def3.P2).
+ * Requires: each listed simplex is affinely independent. */
+bool underlying_space_contains(const point2 *points, simplex_list list, point2 x,
+                               simplex *carrier);
 
 /* Is the list a simplicial complex in the plane (Definition 3)?
  *

@@ -167,10 +167,14 @@ static verdict
 check_all(const audit *a)
 {
     if (a->list.count == 0) {
-        if (affine_dimension(a->points, a->n) < 2)
+        simplex s = affine_basis(a->points, a->n);
+        if (s.dimension < 2)
             return verdict_holds();
-        return verdict_refuted(
-            "there is no triangle, and the points are not collinear");
+        const vertex_id *c = s.vertex;
+        verdict v = verdict_refuted("there is no triangle, and the points %u, %u and "
+                                    "%u are not collinear", (unsigned)c[0],
+                                    (unsigned)c[1], (unsigned)c[2]);
+        return verdict_with(verdict_with(verdict_with(v, c[0]), c[1]), c[2]);
     }
     uint32_t boundary = 0;
     verdict v = check_triangles(a);

@@ -178,7 +178,7 @@ euler_count(const plane_graph *g, euler_counts *out)
         *out = (euler_counts){.v = g->vertices, .e = g->edges};
         out->components = search_everything(&s);
         out->f = graph_trace_faces(g, left) - out->components + 1;
-        if (g->edges > 0 && g->outside != NONE)
+        if (g->outside != NONE)
             out->h = walk_length(g, g->outside);
     }
     memory_free(left);
