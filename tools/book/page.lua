@@ -68,8 +68,26 @@ function Code(code)
   end
 end
 
--- A picture becomes part of the page; on a phone it keeps a readable width, and its
--- frame scrolls.
+-- The panels of a picture of lib/svg.c, each as a picture of its own: where there is no
+-- room side by side they stand below each other. Nothing is drawn outside the panels; the
+-- lines of a panel's caption come before it.
+local function panels_of(svg)
+  local style, body = svg:match('(<style>.-</style>)%s*<rect class="paper"[^>]*/>(.*)</svg>')
+  local panels, columns, widest = {style}, 0, "0"
+  for caption, panel in body:gmatch("(.-)(<svg .-</svg>)") do
+    local x, y, width, height = panel:match(
+      'x="([%d.]+)" y="([%d.]+)" width="([%d.]+)" height="([%d.]+)"')
+    local _, lines = caption:gsub("<text", "")
+    local box = table.concat({x, y, width, height + 18 * lines}, " ")
+    table.insert(panels, '<svg class="tri" viewBox="' .. box .. '" width="' .. width ..
+      '" height="' .. height + 18 * lines .. '">' .. caption .. panel .. "</svg>")
+    if y == "14" then columns = columns + 1 end -- the first row
+    widest = width
+  end
+  return table.concat(panels), columns, widest
+end
+
+-- A picture becomes part of the page.
 function Para(para)
   local image = para.content[1]
   if #para.content ~= 1 or image.t ~= "Image" or not image.src:match("%.svg$") then
@@ -79,10 +97,11 @@ function Para(para)
   if not file then return nil end
   local svg = file:read("a")
   file:close()
-  local width = svg:match('width="([%d.]+)"') or "600"
-  return pandoc.RawBlock("html",
-    '<figure style="--width:' .. width .. 'px"><div>' .. svg .. "</div><figcaption>" ..
-    pandoc.utils.stringify(image.caption) .. "</figcaption></figure>")
+  local panels, columns, width = panels_of(svg)
+  local described = svg:match("<desc>(.-)</desc>"):gsub('"', "&quot;")
+  return pandoc.RawBlock("html", '<figure style="--columns:' .. columns .. ";--width:" ..
+    width .. 'px"><div role="img" aria-label="' .. described .. '">' .. panels ..
+    "</div><figcaption>" .. pandoc.utils.stringify(image.caption) .. "</figcaption></figure>")
 end
 
 -- A table is as wide as it must be, and scrolls in its frame when that is too wide.
