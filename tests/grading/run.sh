@@ -148,8 +148,8 @@ word_of() { # word_of PROPERTY
 
 # What is said about one property, if that has its own text; else everything.
 feedback_on() { # feedback_on PROPERTY
-    awk -v begin="  $exercise $1: fails" '
-        $0 == begin { told = 1 }
+    awk -v begin="  $exercise $1: " '
+        index($0, begin) == 1 { told = 1 }
         told && $0 == "" { exit }
         told { print; any = 1 }
         { all = all $0 "\n" }

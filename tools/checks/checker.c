@@ -1,18 +1,20 @@
 /* checker.c - checks one exercise of a student's program.
  *
- *     checker EXERCISE [--seed N] [--property NAME] [--variant NAME] [--instances FILE]
- *             [--feedback DIR] [--again "COMMAND"] -- PROGRAM [ARGUMENT...]
+ *     checker EXERCISE [--seed N | --case POINTS] [--property NAME] [--variant NAME]
+ *             [--instances FILE] [--feedback DIR] [--again "COMMAND"]
+ *             [--again-case "COMMAND"] -- PROGRAM [ARGUMENT...]
  *
  * Each property of the exercise is tried on many sets of points; the first that fails is
  * made as small as possible and reported: what must hold, what was seen, the points, a
- * picture, and the command that runs it again. With --feedback the same goes to DIR:
- * properties.tsv (name, how it came out in one word, a sentence), NAME.txt and NAME.svg.
+ * picture, and the command that runs it again: that of --again, or, where these points
+ * are enough for it to fail, that of --again-case with the points. With --feedback the
+ * same goes to DIR: properties.tsv (name, how it came out in one word, a sentence),
+ * NAME.txt and NAME.svg. --case tries one set of points: "(0,0) (4,1) (2,3)".
  *
  * Exit status: 42 all properties hold, 43 some do not, 1 a fault of the checker.
  */
-#include "tools/checks/session.h"
+#include "tools/checks/feedback.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -21,23 +23,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { ACCEPT = 42, REJECT = 43, FAULT = 1 };
-enum { MOST_POINTS = 1000, MOST_RUNS = 300 };
+enum { ACCEPT = 42, REJECT = 43 };
+enum { MOST_RUNS = 300 };
 
-typedef struct request {
-    const char *exercise, *property, *variant, *instances, *feedback, *again;
-    uint64_t seed;
-} request;
+/* The seed of a trial for which the points are enough: of --case. */
+enum { SEED_OF_A_CASE = 1 };
 
 /* ---- A smaller case. ---- */
-
-typedef struct failure {
-    const property *of;
-    uint64_t seed;
-    fate end;
-    site points[MOST_POINTS];
-    uint32_t n;
-} failure;
 
 static uint32_t runs_left; /* to make the case smaller; one that hangs takes a second */
 
@@ -48,12 +40,18 @@ all_differ(const site *points, uint32_t n)
     return cases_locations(points, n, lowest) == n;
 }
 
-/* Does this smaller case fail in the same way? Where no points coincided none may. */
+/* Where the property's families have no points that coincide none may. */
+static bool
+is_asked(const property *p, const site *points, uint32_t n)
+{
+    return (p->families & (CASES_DUPLICATES | CASES_COLLINEAR)) != 0 || all_differ(points, n);
+}
+
+/* Does this smaller case fail in the same way? */
 static bool
 still_fails(session *s, const failure *f, const site *points, uint32_t n)
 {
-    bool may_coincide = (f->of->families & (CASES_DUPLICATES | CASES_COLLINEAR)) != 0;
-    if (runs_left == 0 || !(may_coincide || all_differ(points, n)))
+    if (runs_left == 0 || !is_asked(f->of, points, n))
         return false;
     runs_left--;
     session_trial(s, f->of, f->seed, points, n);
@@ -103,100 +101,17 @@ shrink(session *s, failure *f)
     draw_smaller(s, f);
     drop_points(s, f);
     s->seconds = patience;
-    session_trial(s, f->of, f->seed, f->points, f->n); /* what is reported */
 }
 
-/* ---- Feedback. ---- */
-
-/* Control characters, which could play with a terminal, become dots. */
+/* Runs once more what is reported: with the seed of a case if it fails with that, too, or
+ * else with its own. */
 static void
-print_clean(FILE *file, const char *text)
+run_again(session *s, failure *f)
 {
-    for (; *text != '\0'; text++)
-        if (*text == '\n' || (isprint((unsigned char)*text) != 0 && *text != 127))
-            putc(*text, file);
-        else
-            putc('.', file);
-}
-
-static void
-print_points(FILE *file, const site *points, uint32_t n)
-{
-    fprintf(file, "  smallest case found (%lu point%s):", (unsigned long)n,
-            n == 1 ? "" : "s");
-    for (uint32_t i = 0; i < n; i++)
-        fprintf(file, "%s(%ld,%ld)", i % 10 == 0 && n > 10 ? "\n    " : " ",
-                (long)points[i].x, (long)points[i].y);
-    putc('\n', file);
-}
-
-static void
-print_failure(FILE *file, const session *s, const failure *f, const request *r,
-              const char *picture)
-{
-    const property *p = f->of;
-    const questions *about = questions_of(s); /* the points that the case was about */
-    fprintf(file, "%s %s: fails\n", p->exercise, p->name);
-    fprintf(file, "  what must hold: %s (%s)\n", p->statement, p->place);
-    fputs("  what was seen: ", file);
-    print_clean(file, s->seen);
-    putc('\n', file);
-    if (f->end != FATE_TODO && about->at != NULL)
-        print_points(file, about->at, about->n);
-    if (f->end != FATE_ANSWERED && s->student.said_count > 0) {
-        fputs("  the program's last words:\n    ", file);
-        print_clean(file, s->student.said);
-        putc('\n', file);
-    }
-    if (picture != NULL)
-        fprintf(file, "  picture: %s\n", picture);
-    if (r->again != NULL)
-        fprintf(file, "  run it again: %s\n", r->again);
-    else
-        fprintf(file, "  run it again: with --seed %llu\n", (unsigned long long)r->seed);
-}
-
-static FILE *
-open_in(const char *folder, const char *name, const char *end, char *path, size_t room)
-{
-    snprintf(path, room, "%s/%s%s", folder, name, end);
-    FILE *file = fopen(path, "w");
-    if (file == NULL) {
-        perror(path);
-        exit(FAULT);
-    }
-    return file;
-}
-
-static void
-close_written(FILE *file, const char *path)
-{
-    if (ferror(file) != 0 || fclose(file) != 0) {
-        fprintf(stderr, "checker: %s cannot be written\n", path);
-        exit(FAULT);
-    }
-}
-
-static void
-report_failure(const session *s, const failure *f, const request *r, FILE *table)
-{
-    char path[1024], picture[1024];
-    const char *drawn = NULL;
-    if (r->feedback != NULL) {
-        snprintf(picture, sizeof picture, "%s/%s.svg", r->feedback, f->of->name);
-        if (f->end != FATE_TODO && questions_of(s)->at != NULL &&
-            questions_of(s)->n > 0 && picture_write(s, f->of, picture))
-            drawn = picture;
-        FILE *text = open_in(r->feedback, f->of->name, ".txt", path, sizeof path);
-        print_failure(text, s, f, r, drawn);
-        close_written(text, path);
-        const char *word = f->end == FATE_ANSWERED ? "fail" : fate_word(f->end);
-        fprintf(table, "%s\t%s\t", f->of->name, word);
-        for (const char *c = s->seen; *c != '\0'; c++)
-            putc(isprint((unsigned char)*c) != 0 ? *c : '.', table);
-        putc('\n', table);
-    }
-    print_failure(stdout, s, f, r, drawn);
+    session_trial(s, f->of, SEED_OF_A_CASE, f->points, f->n);
+    f->is_a_case = s->failed && s->end == f->end;
+    if (!f->is_a_case)
+        session_trial(s, f->of, f->seed, f->points, f->n);
 }
 
 /* ---- Properties. ---- */
@@ -241,10 +156,48 @@ check(session *s, const property *p, const request *r, FILE *table)
             fprintf(table, "%s\tpass\t%s\n", p->name, p->statement);
         return true;
     }
-    if (f.end != FATE_TODO)
+    if (f.end != FATE_TODO) {
         shrink(s, &f);
-    report_failure(s, &f, r, table);
+        run_again(s, &f);
+    }
+    feedback_failure(s, &f, r, table);
     return false;
+}
+
+/* The points of --case; their number, or 0 when they are none that this property is
+ * asked about. */
+static uint32_t
+read_case(const property *p, const char *text, site *points)
+{
+    uint32_t n = 0;
+    long x, y;
+    for (int used; n < MOST_POINTS && sscanf(text, " (%ld,%ld)%n", &x, &y, &used) == 2;
+         text += used) {
+        if (x < -PLANE_REACH || x > PLANE_REACH || y < -PLANE_REACH || y > PLANE_REACH)
+            return 0;
+        points[n++] = (site){(int32_t)x, (int32_t)y};
+    }
+    return text[strspn(text, " ")] == '\0' && is_asked(p, points, n) ? n : 0;
+}
+
+/* The one trial of --case. */
+static bool
+check_case(session *s, const property *p, const request *r, FILE *table)
+{
+    static failure f;
+    f = (failure){.of = p, .seed = SEED_OF_A_CASE, .is_a_case = true};
+    f.n = read_case(p, r->points, f.points);
+    if (f.n == 0) {
+        printf("%s %s: is not asked about these points\n", p->exercise, p->name);
+        return true;
+    }
+    session_trial(s, p, f.seed, f.points, f.n);
+    f.end = s->end;
+    if (s->failed)
+        feedback_failure(s, &f, r, table);
+    else
+        printf("%s %s: holds for these points\n", p->exercise, p->name);
+    return !s->failed;
 }
 
 /* ---- The command line. ---- */
@@ -253,10 +206,11 @@ static _Noreturn void
 usage(const char *wrong)
 {
     fprintf(stderr,
-            "checker: %s\nusage: checker EXERCISE [--seed N] [--property NAME] "
-            "[--variant NAME] [--instances FILE] [--feedback DIR] [--again TEXT] -- PROGRAM [ARGUMENT...]\n",
+            "checker: %s\nusage: checker EXERCISE [--seed N | --case POINTS] [--property NAME] "
+            "[--variant NAME] [--instances FILE] [--feedback DIR] [--again TEXT] "
+            "[--again-case TEXT] -- PROGRAM [ARGUMENT...]\n",
             wrong);
-    exit(FAULT);
+    exit(CHECKER_FAULT);
 }
 
 static uint64_t
@@ -296,6 +250,10 @@ read_arguments(int argc, char **argv, char ***command)
             r.feedback = value;
         else if (strcmp(name, "--again") == 0)
             r.again = value;
+        else if (strcmp(name, "--again-case") == 0)
+            r.again_case = value;
+        else if (strcmp(name, "--case") == 0)
+            r.points = value;
         else
             usage("there is no such option");
     }
@@ -313,7 +271,7 @@ main(int argc, char **argv)
     request r = read_arguments(argc, argv, &s.student.command);
     if (strchr(s.student.command[0], '/') != NULL && access(s.student.command[0], X_OK) != 0) {
         perror(s.student.command[0]);
-        return FAULT;
+        return CHECKER_FAULT;
     }
     s.variant = r.variant;
     s.instances = r.instances;
@@ -323,9 +281,10 @@ main(int argc, char **argv)
     if (r.feedback != NULL) {
         if (mkdir(r.feedback, 0777) != 0 && errno != EEXIST) {
             perror(r.feedback);
-            return FAULT;
+            return CHECKER_FAULT;
         }
-        table = open_in(r.feedback, "properties", ".tsv", path, sizeof path);
+        snprintf(path, sizeof path, "%s/properties.tsv", r.feedback);
+        table = feedback_open(path);
     }
     uint32_t tried = 0, held = 0;
     for (uint32_t i = 0; i < property_count; i++) {
@@ -334,10 +293,10 @@ main(int argc, char **argv)
             (r.property != NULL && strcmp(p->name, r.property) != 0))
             continue;
         tried++;
-        held += check(&s, p, &r, table);
+        held += r.points != NULL ? check_case(&s, p, &r, table) : check(&s, p, &r, table);
     }
     if (table != NULL)
-        close_written(table, path);
+        feedback_close(table, path);
     session_free(&s);
     if (tried == 0)
         usage("there is no such exercise or property");

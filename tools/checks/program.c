@@ -374,3 +374,13 @@ fate_word(fate f)
                                        "noanswer", "malformed", "forbidden"};
     return word[f];
 }
+
+const char *
+fate_verb(fate f)
+{
+    static const char *const verb[] = {
+        "fails", "is still to be written", "crashes", "stops at an assertion",
+        "does what C does not define", "does not answer in time", "ends without an answer",
+        "sends what is no answer", "tries what is forbidden"};
+    return verb[f];
+}

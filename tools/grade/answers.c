@@ -147,7 +147,7 @@ can_be_asked(const char *id)
 static mark
 mark_in_a_sentence(const char *word, const char *sentence)
 {
-    return (mark){word, sentence, sentence};
+    return (mark){word, sentence, sentence, NULL};
 }
 
 /* Asks `traces --check` about one answer, whose characters are known. */

@@ -213,6 +213,8 @@ write_text(FILE *file, const grading *g, const result *r)
             continue;
         putc('\n', file);
         print_lines(file, "  ", last = m->text);
+        if (m->picture != NULL)
+            fprintf(file, "    picture: %s\n", m->picture);
     }
 }
 

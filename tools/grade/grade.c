@@ -188,14 +188,14 @@ bring_base(const request *r, const grading *g, const char *to)
         refuse("%s", said);
 }
 
-/* Any text names a sequence of cases; without one it is the students' own, seed 1. */
+/* Any text names a sequence of cases; without one it is the students' own. */
 static uint64_t
 read_seed(const char *path)
 {
     size_t size;
     uint64_t seed = 14695981039346656037u;
     if (path == NULL)
-        return 1;
+        return PUBLIC_SEED;
     const char *bytes = file_bytes(path, &size);
     if (bytes == NULL || size == 0)
         refuse("%s: there is no seed; write some random text into it", path);

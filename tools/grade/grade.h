@@ -55,6 +55,8 @@ void answers_ask(assignment *a, const char *folder);
 
 /* ---- How a grading is done. ---- */
 
+enum { PUBLIC_SEED = 1 }; /* of what students check themselves */
+
 typedef struct grading {
     assignment asked;
     const char *work;     /* a folder of our own, from / */
@@ -83,7 +85,8 @@ bool base_is_prepared(const grading *g, const char *folder);
 typedef struct mark {
     const char *word;     /* pass, fail, todo, ... or refused, uncompiled, ungraded */
     const char *sentence;
-    const char *text;     /* all that is to be said of it */
+    const char *text;     /* all that is to be said of it, without its picture */
+    const char *picture;  /* below the folder of results, or NULL */
 } mark;
 
 typedef struct result {

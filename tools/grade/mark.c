@@ -35,7 +35,7 @@ result_nothing(const assignment *a, const char *name, const char *because)
     result r = {.name = clean(name, strlen(name), 200), .notes = ""};
     r.mark = take(a->properties * sizeof *r.mark);
     for (size_t p = 0; p < a->properties; p++)
-        r.mark[p] = (mark){"ungraded", because, because};
+        r.mark[p] = (mark){"ungraded", because, because, NULL};
     return r;
 }
 
@@ -43,7 +43,7 @@ static void
 mark_task(result *r, const task *t, const char *word, const char *sentence, const char *text)
 {
     for (size_t p = t->first; p < t->end; p++)
-        r->mark[p] = (mark){word, sentence, text};
+        r->mark[p] = (mark){word, sentence, text, NULL};
 }
 
 /* ---- Compiling. ---- */
@@ -201,7 +201,10 @@ read_feedback(const build *b, const task *t, const char *feedback, result *r)
         }
         char *text = file_bytes(format("%s/%s.txt", folder, name), &size);
         bool told = text != NULL && strcmp(m->word, "todo") != 0;
+        const char *picture = format("%s/%s.svg", feedback, name);
+        bool drawn = access(format("%s/%s", b->folder, picture), F_OK) == 0;
         m->text = told ? clean(text, size, MOST_OF_A_TEXT) : m->sentence;
+        m->picture = drawn ? picture : NULL;
     }
 }
 
@@ -235,7 +238,10 @@ check_task(const build *b, const task *t, const char *feedback, result *r)
     command_add(&c, "--feedback");
     command_add(&c, feedback);
     command_add(&c, "--again");
-    command_add(&c, format("make check EX=%s (on other points)", t->exercise));
+    command_add(&c, format("make check EX=%s %s", t->exercise, g->seed == PUBLIC_SEED
+                           ? "SEED=1" : "(there the points are others)"));
+    command_add(&c, "--again-case");
+    command_add(&c, format("make check EX=%s", t->exercise));
     if (*g->asked.variant != '\0') {
         command_add(&c, "--variant");
         command_add(&c, g->asked.variant);
@@ -332,7 +338,7 @@ supply(const build *own, const task *t, result *r)
     for (size_t p = t->first; p < t->end; p++)
         if (!mark_earned(&r->mark[p]) && mark_earned(&alone.mark[p]))
             r->mark[p] = (mark){"pass", "It holds when the other exercises are right.",
-                                "It holds when the other exercises are right."};
+                                "It holds when the other exercises are right.", NULL};
 }
 
 static void

@@ -1,8 +1,8 @@
 #!/bin/sh
 # run.sh EXERCISE:PROGRAM... - checks the exercises and adds up the points.
 #
-# BUILD, SEED, VARIANT, PROPERTY, TARGET (check or sanitize) and EXERCISES (all that
-# there are) are set by make. What is wrong stands in BUILD/feedback/EXERCISE/: a text
+# BUILD, SEED, CASE, VARIANT, PROPERTY, TARGET (check or sanitize) and EXERCISES (all
+# that there are) are set by make. What is wrong stands in BUILD/feedback/EXERCISE/: a text
 # and a picture for each property that fails. Exit status: 0 all is right; 1 not yet;
 # 2 the checker itself has failed, or there is nothing that it could check.
 set -u
@@ -26,7 +26,9 @@ for pair in "$@"; do
     rm -rf "$feedback"
     mkdir -p "$feedback"
     again="make $TARGET EX=$exercise SEED=$SEED"
-    set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again"
+    set -- "$exercise" --seed "$SEED" --feedback "$feedback" --again "$again" \
+        --again-case "make $TARGET EX=$exercise"
+    [ -n "$CASE" ] && set -- "$@" --case "$CASE"
     [ -n "$VARIANT" ] && set -- "$@" --variant "$VARIANT"
     [ -n "$PROPERTY" ] && set -- "$@" --property "$PROPERTY"
     instances=checks/${exercise%-*}.instances
@@ -40,7 +42,7 @@ for pair in "$@"; do
         status=2 ;;
     esac
     echo
-    [ -f "$feedback/properties.tsv" ] && checked="$checked $exercise"
+    [ -z "$CASE" ] && [ -f "$feedback/properties.tsv" ] && checked="$checked $exercise"
 done
 
 # The points, by property: assignment.ini says how many, properties.tsv which are earned.
