@@ -3,10 +3,12 @@
  * What is not asked here: what is in the files that -o can write (tools_formats), and
  * how long it takes.
  */
+#define _XOPEN_SOURCE 700 /* posix_openpt */
 #include "lib/textio.h"
 #include "tests/harness/harness.h"
 #include "tests/harness/shell.h"
 
+#include <fcntl.h>
 #include <glob.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -400,6 +402,58 @@ interrupted_writing_leaves_the_old_file(void)
     }
 }
 
+/* ---- What a terminal is told. ---- */
+
+/* Runs `$tri ARGUMENTS` with a terminal for standard error; what it was told there. */
+static content
+told_by(const char *arguments)
+{
+    content told = {""};
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    CLAIM("tri.setup", terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0,
+          "no terminal");
+    int kept = open(ptsname(terminal), O_RDWR | O_NOCTTY); /* else it forgets */
+    int status = shell("$tri %s 2>%s", arguments, ptsname(terminal));
+    CLAIM("tri.progress", status == 0 && write(kept, "|", 1) == 1,
+          "tri %s: exit status %d", arguments, status);
+    size_t length = 0;
+    while (strchr(told.text, '|') == NULL && length < sizeof told.text - 1) {
+        ssize_t more = read(terminal, told.text + length, sizeof told.text - 1 - length);
+        CLAIM("tri.progress", more > 0, "the terminal was told nothing");
+        length += (size_t)more;
+    }
+    close(kept);
+    close(terminal);
+    return told;
+}
+
+/* Every algorithm, also one that no observer can watch; and a terminal only. */
+static void
+long_runs_say_how_far_they_are(void)
+{
+    const char *const algorithms[] = {"sweep", "fast"};
+    shell("$tri generate uniform 300000 --binary -o $d/many.xy");
+    for (int i = 0; i < 2; i++) {
+        char arguments[200];
+        snprintf(arguments, sizeof arguments,
+                 "triangulate --algorithm %s -o $d/many.ele $d/many.xy", algorithms[i]);
+        content told = told_by(arguments);
+        const char *read = strstr(told.text, "tri: 300000 points have been read");
+        const char *does = strstr(told.text, "tri: triangulating by ");
+        const char *writes = strstr(told.text, "tri: writing ");
+        CLAIM("tri.progress", read != NULL && does != NULL && writes != NULL &&
+              read < does && does < writes, "tri %s: %s", arguments, told.text);
+        run_tri(0, arguments);
+        CLAIM("tri.progress", read_scratch("err").text[0] == '\0',
+              "a file is told of progress: %s", read_scratch("err").text);
+    }
+    content told = told_by("check --delaunay $d/many.xy $d/many.ele >$d/out");
+    CLAIM("tri.progress", strstr(told.text, "tri: checking ") != NULL, "tri check: %s",
+          told.text);
+    told = told_by("triangulate -o $d/few.ele docs/data/timezones.csv");
+    CLAIM("tri.progress", strcmp(told.text, "|") == 0, "a short run says: %s", told.text);
+}
+
 /* ---- Doubles go through, whatever the environment's locale. ---- */
 
 static void
@@ -440,6 +494,7 @@ main(int argc, char **argv)
     test_run("interrupted writing leaves the old file",
              interrupted_writing_leaves_the_old_file);
     test_run("closed pipes are errors", closed_pipes_are_errors);
+    test_run("long runs say how far they are", long_runs_say_how_far_they_are);
     int status = test_end((test_minima){.trials = 70});
     shell_end();
     return status;

@@ -31,6 +31,7 @@ command_check(int argc, char **argv)
     triangle_list list = load_triangles(argv[2], &points);
 
     verdict v;
+    tell_progress("checking %lu triangles", (unsigned long)list.count);
     must(delaunay ? is_delaunay(points.points, points.count, list, &v)
                   : is_triangulation(points.points, points.count, list, &v));
     if (v.holds)

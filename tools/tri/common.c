@@ -165,6 +165,26 @@ expect_words(int argc, char **argv, int least, int most)
         die_usage(argv[0], "%s is one word too many", argv[most + 1]);
 }
 
+/* ---- Progress. ---- */
+
+/* Who looks at a terminal wants to be told after about a quarter of a second. */
+enum { MANY_POINTS = 250000, MANY_BYTES = 20000000 };
+
+static bool told; /* is somebody told how far the run is? */
+
+void
+tell_progress(const char *sentence, ...)
+{
+    if (!told)
+        return;
+    va_list arguments;
+    va_start(arguments, sentence);
+    fputs("tri: ", stderr);
+    vfprintf(stderr, sentence, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+}
+
 /* ---- Files. ---- */
 
 _Noreturn static void
@@ -181,8 +201,14 @@ load_points(const char *path)
 {
     text_points points;
     text_error error;
+    struct stat about;
+    bool terminal = isatty(STDERR_FILENO) == 1;
+    told = terminal && stat(path, &about) == 0 && about.st_size >= MANY_BYTES;
+    tell_progress("reading %s", path);
     if (text_read_points(path, &points, &error) != TRI_OK)
         die_of_file(path, &error);
+    told = terminal && points.count >= MANY_POINTS;
+    tell_progress("%lu points have been read", (unsigned long)points.count);
     return points;
 }
 
@@ -222,6 +248,7 @@ output
 begin_output(const char *path)
 {
     output o;
+    tell_progress("writing %s", path);
     catch_signals();
     hold_signals(SIG_BLOCK);
     errno = 0;

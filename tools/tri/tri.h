@@ -73,6 +73,13 @@ void expect_words(int argc, char **argv, int least, int most);
 
 /* ---- Files. ---- */
 
+/* Says on standard error how far the run is, if that is a terminal and the points that
+ * load_points has read are many. load_points and begin_output say so themselves. */
+#if defined __GNUC__
+__attribute__((format(printf, 1, 2)))
+#endif
+void tell_progress(const char *sentence, ...);
+
 /* Reads a file or dies with `file:line: what is wrong`. */
 text_points load_points(const char *path);
 triangle_list load_triangles(const char *path, const text_points *points);

@@ -133,6 +133,7 @@ command_triangulate(int argc, char **argv)
     text_points in = load_points(r.points);
     mesh m;
     triangle_list list;
+    tell_progress("triangulating by %s", r.algorithm->name);
     must(run_watched(r.algorithm, in.points, in.count, r.options, r.stats, &m));
     must(mesh_triangles(&m, &list));
     note_degenerate(in.count, m.locations, list.count);
