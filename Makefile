@@ -33,7 +33,7 @@ TESTS    := $(patsubst tests/%.c,%,$(wildcard tests/[0-9]*.c tests/lib_*.c tests
 TRI      := $(wildcard tools/tri/*.c)
 WEAVE    := $(wildcard tools/weave/*.c)
 BENCH    := $(filter-out %/tiers.c,$(wildcard tools/bench/*.c)) tools/tri/distributions.c
-JAIL     := $(addprefix tools/grade/,jail.c confine.c filter.c)
+JAIL     := $(addprefix tools/grade/,jail.c inside.c outside.c confine.c filter.c)
 GRADE    := $(filter-out $(JAIL),$(wildcard tools/grade/*.c)) \
             $(addprefix tools/handout/,basics.c exercises.c scan.c)
 COMPARE  := tools/compare/contestants.c tools/tri/distributions.c

@@ -18,13 +18,24 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#if defined __x86_64__
-enum { MACHINE = (int)AUDIT_ARCH_X86_64, KNOWN = 1 };
-#elif defined __aarch64__
-enum { MACHINE = (int)AUDIT_ARCH_AARCH64, KNOWN = 1 };
-#else
-enum { MACHINE = 0, KNOWN = 0 };
+/* The machines whose calls are known: numbers and arguments of 64 bits, the low word first. */
+#if defined __x86_64__ && !defined __ILP32__
+#define MACHINE AUDIT_ARCH_X86_64
+#elif defined __aarch64__ && defined __AARCH64EL__ && !defined __ILP32__
+#define MACHINE AUDIT_ARCH_AARCH64
 #endif
+
+#ifndef MACHINE
+
+/* On any other one this layer is off, as `jail --layers` says. */
+bool
+confine_seccomp(int binary, pid_t self)
+{
+    (void)binary, (void)self;
+    return false;
+}
+
+#else
 
 enum { EMPTY_PATH = 0x1000 }; /* AT_EMPTY_PATH: no name, the descriptor itself */
 
@@ -161,10 +172,8 @@ bool
 confine_seccomp(int binary, pid_t self)
 {
     filter f = {.length = 0};
-    if (!KNOWN)
-        return false;
     load(&f, offsetof(struct seccomp_data, arch));
-    put(&f, BPF_JMP | BPF_JEQ | BPF_K, (uint32_t)MACHINE, 1, 0);
+    put(&f, BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0);
     answer(&f, SECCOMP_RET_KILL_PROCESS);
     for (size_t i = 0; i < RULES; i++)
         put_rule(&f, rules[i], binary, self);
@@ -172,3 +181,5 @@ confine_seccomp(int binary, pid_t self)
     struct sock_fprog program = {f.length, f.at};
     return syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0;
 }
+
+#endif

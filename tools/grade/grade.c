@@ -166,10 +166,9 @@ bring_base(const request *r, const grading *g, const char *to)
     command_line c = {NULL, 0};
     if (r->base != NULL) {
         bool prepared = base_is_prepared(g, r->base);
-        const char *const sh[] = {"sh", "-c", prepared
-            ? "mkdir -p \"$1\" && cp -R \"$0/.\" \"$1\""
-            : "mkdir -p \"$1\" && cp -R \"$0/.\" \"$1\" && rm -rf \"$1/build\"",
-            r->base, to, NULL};
+        const char *const sh[] = {"sh", "-c", format(
+            "mkdir -p \"$1\" && cp -R \"$0/.\" \"$1\" && %schmod -R a+rX \"$1\"",
+            prepared ? "" : "rm -rf \"$1/build\" && "), r->base, to, NULL};
         if (run(".", sh, 60, 2000, &said, NULL) != 0)
             refuse("%s: %s", r->base, said);
         return;
@@ -186,6 +185,21 @@ bring_base(const request *r, const grading *g, const char *to)
         command_add_words(&c, "--student untouched");
     if (run(".", c.word, 120, 4000, &said, NULL) != 0)
         refuse("%s", said);
+}
+
+/* For --supply, a copy of the chapters and of splice: in the jail root is nobody, who may
+ * not look into the project's folder. */
+static const char *
+bring_reference(const grading *g)
+{
+    char *said;
+    const char *to = format("%s/reference", g->work);
+    const char *const sh[] = {"sh", "-c",
+        "mkdir -p \"$1/docs\" && cp -R chapters \"$1\" && cp docs/assignments.ini \"$1/docs\" && "
+        "cp \"$0/splice\" \"$1\" && chmod -R a+rX \"$1\"", g->tools, to, NULL};
+    if (run(g->project, sh, 60, 2000, &said, NULL) != 0)
+        refuse("--supply needs the project's chapters and splice; run it in its root: %s", said);
+    return to;
 }
 
 /* Any text names a sequence of cases; without one it is the students' own. */
@@ -213,7 +227,7 @@ prepare(const request *r, const char *self)
     g.project = current_folder();
     g.compiler = compiler != NULL && *compiler != '\0' ? compiler : "cc";
     g.required = r->required;
-    g.supply = r->supply;
+    g.reference = r->supply ? bring_reference(&g) : NULL;
     g.formats = r->formats;
     bring_base(r, &g, g.base);
     g.asked = assignment_read(g.base);

@@ -62,11 +62,11 @@ typedef struct grading {
     const char *work;     /* a folder of our own, from / */
     const char *base;     /* in it: the tree, compiled */
     const char *tools;    /* where jail and splice are, from / */
-    const char *project;  /* --supply, --viva: the project's root, from / */
+    const char *project;  /* --viva, --pack: the project's root, from / */
+    const char *reference; /* --supply: a copy of its chapters, and splice; or NULL */
     const char *compiler;
     uint64_t seed;
     bool required;        /* --require-sandbox */
-    bool supply;
     const char *formats;  /* words */
 } grading;
 

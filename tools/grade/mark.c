@@ -288,9 +288,9 @@ all_earned(const result *r, const task *t)
 }
 
 /* The sources for one exercise of the student's: the rest is the reference's. false: they
- * cannot be put together. */
+ * cannot be put together, or splice has failed itself. */
 static bool
-write_spliced(const build *from, const task *t, const char *folder)
+write_spliced(const build *from, const task *t, const char *folder, const char **fault)
 {
     const grading *g = from->g;
     const assignment *a = &g->asked;
@@ -299,20 +299,25 @@ write_spliced(const build *from, const task *t, const char *folder)
     for (size_t f = 0; f < a->files; f++) {
         if (strcmp(a->file[f], ANSWERS) == 0)
             continue;
-        char *reference = file_bytes(format("%s/%s", g->project, a->file[f]), &size);
-        if (reference == NULL)
+        char *reference = file_bytes(format("%s/%s", g->reference, a->file[f]), &size);
+        if (reference == NULL) {
+            *fault = format("--supply: the project has no %s", a->file[f]);
             return false;
+        }
         write_file(format("%s/src/%s", folder, a->file[f]), reference, size);
     }
     make_folder(format("%s/build", folder));
-    const char *const reads[] = {g->project, g->tools, format("%s/src", from->folder), NULL};
+    const char *const reads[] = {g->reference, format("%s/src", from->folder), NULL};
     command_line c = jail_compile(g, reads, format("%s/build", folder));
-    command_add(&c, format("%s/splice", g->tools));
+    command_add(&c, format("%s/splice", g->reference));
     command_add(&c, "--only");
-    command_add(&c, g->project);
+    command_add(&c, g->reference);
     command_add(&c, format("%s/src", from->folder));
     command_add(&c, t->exercise);
-    if (run(g->project, c.word, 60, 1 << 20, &text, &size) != 0)
+    int status = run(folder, c.word, 60, 1 << 20, &text, &size);
+    if (status > 1) /* 1: the student's file is too strange */
+        *fault = format("splice ended with status %d: %s", status, clean(text, size, 500));
+    if (status != 0)
         return false;
     write_file(format("%s/src/%s", folder, t->path), text, size);
     return true;
@@ -327,7 +332,7 @@ supply(const build *own, const task *t, result *r)
     const char *folder = format("%s/alone-%s", own->folder, t->exercise);
     build b = {own->g, folder, take(a->files * sizeof(char *))};
     result alone = result_nothing(a, r->name, "");
-    if (!write_spliced(own, t, folder))
+    if (!write_spliced(own, t, folder, &r->fault))
         return;
     compile_files(&b, &alone.fault);
     if (b.refusal[file_of(a, t)] != NULL || link_program(&b, t, &alone.fault) != NULL)
@@ -361,7 +366,7 @@ mark_one(const build *b, const task *t, const char *id, const listed *l, result 
                   format("The program cannot be linked:\n%s", said));
     else
         check_task(b, t, format("feedback/%s", t->exercise), r);
-    if (exercise && b->g->supply && a->exercises > 1 && l->trouble[f] == NULL &&
+    if (exercise && b->g->reference != NULL && a->exercises > 1 && l->trouble[f] == NULL &&
         !all_earned(r, t))
         supply(b, t, r);
 }
