@@ -70,6 +70,13 @@ END {
 }' "$scratch/files" $(cat "$scratch/pages") | sort >"$scratch/broken"
 report "the links of $(wc -l <"$scratch/pages") pages lead somewhere" "$scratch/broken"
 
+# What pandoc cannot write as MathML it leaves as it is, in an element of this class.
+# shellcheck disable=SC2046
+grep -l 'class="math' $(cat "$scratch/pages") >"$scratch/formulas"
+grep -l '<math' $(cat "$scratch/pages") >"$scratch/with" ||
+    echo "no page has a formula" >>"$scratch/formulas"
+report "the formulas on $(wc -l <"$scratch/with") pages are MathML" "$scratch/formulas"
+
 # ---- Width and console, in a browser. ---- #
 
 browser=

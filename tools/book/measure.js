@@ -7,7 +7,7 @@ document.documentElement.append(frame, report);
 
 let measured = 0;
 const widest = (root) => [...root.querySelectorAll("main *")].find(
-  (element) => element.getBoundingClientRect().right > 390 && !element.closest("pre, .table, figure"));
+  (element) => element.getBoundingClientRect().right > 390 && !element.closest("pre, .table"));
 
 frame.onload = () => {
   const root = frame.contentDocument.documentElement;
