@@ -7,6 +7,18 @@
 #include <math.h>
 #include <string.h>
 
+/* The number of that name among those found so far; a new one comes last. */
+static int
+number_of(const char *name, const char *known[CHART_CURVES], int *count)
+{
+    for (int i = 0; i < *count; i++)
+        if (strcmp(known[i], name) == 0)
+            return i;
+    if (*count < CHART_CURVES)
+        known[(*count)++] = name;
+    return *count - 1;
+}
+
 /* ---- Reading the table. ---- */
 
 enum { MOST_CELLS = 32, LINE_LENGTH = 1000 };
@@ -57,6 +69,17 @@ read_line(char *line, int column, bool divide_by_x, chart *c)
     return TRI_OK;
 }
 
+static void
+choose_styles(chart *c)
+{
+    static const svg_style styles[] = {SVG_PLAIN, SVG_BAD, SVG_GOOD, SVG_NEW,
+                                       SVG_STRONG};
+    const char *known[CHART_CURVES];
+    int curves = 0;
+    for (uint32_t i = 0; i < c->count; i++)
+        c->point[i].style = styles[number_of(c->point[i].curve, known, &curves) % 5];
+}
+
 tri_status
 chart_read(FILE *table, const char *column, bool divide_by_x, chart *out)
 {
@@ -73,6 +96,7 @@ chart_read(FILE *table, const char *column, bool divide_by_x, chart *out)
         }
     while (status == TRI_OK && fgets(line, sizeof line, table) != NULL)
         status = read_line(line, at, divide_by_x, out);
+    choose_styles(out);
     if (status != TRI_OK)
         chart_free(out);
     return status;
@@ -94,12 +118,15 @@ static const double LABEL_HEIGHT = 13;
 typedef struct axes {
     point2 low, high;   /* of the table */
     point2 corner, top; /* of the frame: where these are drawn */
+    bool tens;          /* y is marked at powers of ten only */
 } axes;
 
-/* From a to b in equal steps for equal ratios. */
+/* From a to b in equal steps for equal ratios; in the middle if all v are the same. */
 static double
 between(double v, double low, double high, double a, double b)
 {
+    if (low == high)
+        return (a + b) / 2;
     return a + (log2(v) - log2(low)) / (log2(high) - log2(low)) * (b - a);
 }
 
@@ -110,10 +137,13 @@ place_of(const axes *a, double x, double y)
                     between(y, a->low.y, a->high.y, a->corner.y, a->top.y)};
 }
 
-/* The next of 1, 2, 5, 10, 20, 50, ... after v, which is one of them. */
+/* The next of 1, 2, 5, 10, 20, 50, ... after v, which is one of them; of 1, 10, 100, ...
+ * on an axis that is too long for more. */
 static double
-next_tick(double v)
+next_tick(double v, bool tens)
 {
+    if (tens)
+        return 10 * v;
     double first = v;
     while (first >= 10)
         first /= 10;
@@ -146,10 +176,11 @@ axes_of(const chart *c)
         a.high.y = fmax(a.high.y, c->point[i].y);
     }
     double least = power_of_ten_below(a.low.y), most;
-    for (double next; (next = next_tick(least)) <= a.low.y;)
+    a.tens = a.high.y > 1e4 * least;
+    for (double next; (next = next_tick(least, a.tens)) <= a.low.y;)
         least = next;
     for (most = least; most < a.high.y || most == least;)
-        most = next_tick(most);
+        most = next_tick(most, a.tens);
     a.low.y = least;
     a.high.y = most;
     return a;
@@ -169,7 +200,7 @@ draw_axes(svg *page, const axes *a)
     static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴",
                                         "⁵", "⁶", "⁷", "⁸", "⁹"};
     char text[DECIMAL_ROOM];
-    for (double y = a->low.y; y <= a->high.y * 1.01; y = next_tick(y)) {
+    for (double y = a->low.y; y <= a->high.y * 1.01; y = next_tick(y, a->tens)) {
         double up = place_of(a, a->low.x, y).y;
         svg_segment(page, (point2){a->corner.x, up}, (point2){a->top.x, up}, SVG_FAINT);
         decimal_write(text, y);
@@ -191,30 +222,10 @@ draw_axes(svg *page, const axes *a)
 
 typedef struct curve_end {
     const char *name;
-    int number;    /* of the curve in the table */
-    point2 at;     /* its last point */
-    double label;  /* how high its name stands */
+    svg_style style;
+    point2 at;    /* the last point */
+    double label; /* how high the name stands */
 } curve_end;
-
-/* The number of that name among those found so far; a new one comes last. */
-static int
-number_of(const char *name, const char *known[CHART_CURVES], int *count)
-{
-    for (int i = 0; i < *count; i++)
-        if (strcmp(known[i], name) == 0)
-            return i;
-    if (*count < CHART_CURVES)
-        known[(*count)++] = name;
-    return *count - 1;
-}
-
-static svg_style
-style_of(int number)
-{
-    static const svg_style styles[] = {SVG_PLAIN, SVG_BAD, SVG_GOOD, SVG_NEW,
-                                       SVG_STRONG};
-    return styles[number % 5];
-}
 
 /* Names stand at their curves' ends, one above the other where these are close. */
 static void
@@ -239,7 +250,7 @@ draw_names(svg *page, const axes *a, curve_end *end, int count)
     for (int i = 0; i < count; i++) {
         svg_segment(page, end[i].at, (point2){a->top.x + 12, end[i].label}, SVG_FAINT);
         text_at(page, a->top.x + 14 + svg_text_width(end[i].name) / 2, end[i].label,
-                end[i].name, style_of(end[i].number));
+                end[i].name, end[i].style);
     }
 }
 
@@ -247,26 +258,22 @@ static void
 draw_curves(svg *page, const chart *c, const axes *a, const char *panel)
 {
     const char *known[CHART_CURVES];
-    int curves = 0, ends = 0, end_of[CHART_CURVES];
     curve_end end[CHART_CURVES];
-    for (int i = 0; i < CHART_CURVES; i++)
-        end_of[i] = -1;
+    int curves = 0;
     for (uint32_t i = 0; i < c->count; i++) {
         const chart_point *p = &c->point[i];
-        int number = number_of(p->curve, known, &curves);
         if (strcmp(p->panel, panel) != 0)
             continue;
         point2 at = place_of(a, p->x, p->y);
-        if (end_of[number] < 0) {
-            end_of[number] = ends;
-            end[ends++] = (curve_end){.name = known[number], .number = number};
-        } else {
-            svg_segment(page, end[end_of[number]].at, at, style_of(number));
-        }
-        svg_points(page, &at, 1, style_of(number));
-        end[end_of[number]].at = at;
+        int before = curves, k = number_of(p->curve, known, &curves);
+        if (curves > before)
+            end[k] = (curve_end){.name = p->curve, .style = p->style};
+        else
+            svg_segment(page, end[k].at, at, p->style);
+        svg_points(page, &at, 1, p->style);
+        end[k].at = at;
     }
-    draw_names(page, a, end, ends);
+    draw_names(page, a, end, curves);
 }
 
 void

@@ -17,11 +17,12 @@
 #include "lib/status.h"
 #include "lib/svg.h"
 
-enum { CHART_NAME = 20, CHART_CURVES = 16 };
+enum { CHART_NAME = 20, CHART_CURVES = 24 };
 
 typedef struct chart_point {
     char panel[CHART_NAME], curve[CHART_NAME];
-    double x, y; /* x >= 1, y > 0 */
+    svg_style style; /* the same on all of a curve */
+    double x, y;     /* x >= 1, y > 0 */
 } chart_point;
 
 typedef struct chart {
@@ -30,7 +31,8 @@ typedef struct chart {
 } chart;
 
 /* Reads the points whose y is the number in the column of that name, divided by x if
- * it is asked for. Lines with no number there, or 0, are skipped.
+ * it is asked for. Lines with no number there, or 0, are skipped. Curves next to each
+ * other in the table have different styles.
  *
  * TRI_BAD_FILE (no such column, or a name that is too long), TRI_OUT_OF_MEMORY:
  * *out is zeroed. */
@@ -42,8 +44,7 @@ void chart_free(chart *c);
 /* Draws a picture with a panel for each panel of the table, three in a row; each
  * curve has its name at its end. Names and order are those of the table.
  *
- * Requires: at least one point, at most CHART_CURVES curves; the x are not all
- * the same. */
+ * Requires: at least one point, at most CHART_CURVES panels and curves. */
 void svg_charts(FILE *file, const chart *c, const char *title, const char *description,
                 const char *caption);
 

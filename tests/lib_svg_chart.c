@@ -87,7 +87,7 @@ a_power_law_is_a_straight_line(const point2 *drawn, uint32_t n)
     chart_point law[MOST];
     for (uint32_t i = 0; i < count; i++) {
         double x = ldexp(1, (int)i + 10);
-        law[i] = (chart_point){"power", "law", x, 50 * pow(x, k)};
+        law[i] = (chart_point){"power", "law", SVG_PLAIN, x, 50 * pow(x, k)};
     }
     FILE *file = tmpfile();
     CLAIM("chart.axes", file != NULL, "no file");
