@@ -179,6 +179,9 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 $(BUILD)/test/tools_certify: $(patsubst %,$(BUILD)/posix-counted/tools/checks/%.o,\
   cases certify complexes diagrams meshes plane trees)
 
+# And this one those of the benchmark.
+$(BUILD)/test/tools_bench: $(BUILD)/posix-counted/tools/bench/certify.o | $(BUILD)/bench/bench
+
 # Some tests drive programs: these must be there, and may be younger.
 $(filter $(BUILD)/test/tools_% $(BUILD)/test/3.1_tri_%,$(TESTS:%=$(BUILD)/test/%)): | \
     $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail $(BUILD)/grade \

@@ -1,11 +1,12 @@
 /* The benchmark says what it has seen, of peers that crash, hang, talk nonsense
- * or are wrong, too, and these do not end it.
+ * or are wrong, too, and these do not end it. Its certificates refuse wrong answers.
  *
  * Hypotheses: none on times, which are only asked to be there. The peers here
  * are scripts of the shell.
  */
 #include "tests/harness/harness.h"
 #include "tests/harness/shell.h"
+#include "tools/bench/certify.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -97,6 +98,38 @@ ratios_are_ratios(void)
     CLAIM("bench.ratios", status == 0, "%s", read_scratch("bench.csv").text);
 }
 
+/* A quadrangle with each of its diagonals, of which the short one, 1-3, is Delaunay, and
+ * with half of it; points in order, and not. */
+static void
+wrong_answers_are_refused(void)
+{
+    const point2 at[] = {{0, 0}, {3, -1}, {6, 0}, {3, 1}};
+    const point2 line[] = {{0, 0}, {0, 1}, {0, 0}};
+    vertex_id good[][3] = {{0, 1, 3}, {1, 2, 3}}, bad[][3] = {{0, 1, 2}, {0, 2, 3}};
+    const struct {
+        const char *what;
+        answer given;
+        bool right;
+        const char *text;
+    } asked[] = {
+        {"the Delaunay triangulation",
+         certify_triangles(at, 4, (triangle_list){2, good}, true), true, "Delaunay"},
+        {"the other diagonal",
+         certify_triangles(at, 4, (triangle_list){2, bad}, true), false, "wrong: "},
+        {"the other diagonal, not said to be Delaunay",
+         certify_triangles(at, 4, (triangle_list){2, bad}, false), true, "triangulation"},
+        {"one triangle only",
+         certify_triangles(at, 4, (triangle_list){1, good}, false), false, "wrong: "},
+        {"two points", certify_sorted(line, 2), true, "sorted"},
+        {"a point after a larger one", certify_sorted(line, 3), false, "wrong: point 2"},
+    };
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++)
+        CLAIM("bench.certifies",
+              asked[i].given.right == asked[i].right &&
+                  strncmp(asked[i].given.text, asked[i].text, strlen(asked[i].text)) == 0,
+              "%s: %s", asked[i].what, asked[i].given.text);
+}
+
 static void
 wrong_words_are_explained(void)
 {
@@ -121,8 +154,9 @@ main(int argc, char **argv)
     test_begin(argc, argv, "bench says what it has seen");
     test_run("peers do what they want", peers_do_what_they_want);
     test_run("ratios are ratios", ratios_are_ratios);
+    test_run("wrong answers are refused", wrong_answers_are_refused);
     test_run("wrong words are explained", wrong_words_are_explained);
-    int status = test_end((test_minima){.trials = 3});
+    int status = test_end((test_minima){.trials = 4});
     shell_end();
     return status;
 }

@@ -5,17 +5,17 @@
 # A mutant is a file of lines "key: value":
 #
 #     bug:       what a student might believe, in a sentence
-#     file:      the source that is changed
-#     replace:   a piece of one line, found exactly once in the file
-#     with:      what stands there instead (nothing: the piece is deleted)
+#     file:      the source that is changed: of lib, chapters or tools
+#     replace:   what is changed there, as tests/plant.awk explains it,
+#     with:      and what into; there may be several pairs
 #     run:       the test that shall notice
 #     killed by: the claim that fails; or "a crash"; or "no end"
 #
-# There may be several pairs of replace and with. Each mutant is built in a copy of
-# the tree in build/mutants, beside objects that are already made, and runs there.
-# One that does not apply, does not compile, survives, or is caught by another claim
-# only, has failed. Ends with "N passed, N failed". TESTED=yes in the environment says
-# that all tests have just passed: else they are run without a bug first.
+# Each mutant is built in a copy of the tree in build/mutants, beside objects that are
+# already made, and runs there; so are the programs that the test drives. One that does
+# not apply, does not compile, survives, or is caught by another claim only, has failed.
+# Ends with "N passed, N failed". TESTED=yes in the environment says that all tests have
+# just passed: else they are run without a bug first.
 set -u
 unset MAKEFLAGS MFLAGS
 
@@ -30,32 +30,9 @@ value() { # value KEY FILE
     sed -n "s/^$1: *//p" "$2"
 }
 
-# Makes the replacements of mutant $1 in the file $2; complains when one of the
-# pieces is not found exactly once.
+# Makes the replacements of mutant $1 in the file $2, or says why not.
 apply() {
-    awk '
-    FILENAME == ARGV[1] {
-        if (sub(/^replace: */, "")) piece[++pieces] = $0
-        else if (sub(/^with: */, "")) instead[pieces] = $0
-        next
-    }
-    {
-        for (p = 1; p <= pieces; p++)
-            if ((at = index($0, piece[p])) > 0) {
-                rest = substr($0, at + length(piece[p]))
-                found[p] += index(rest, piece[p]) > 0 ? 2 : 1
-                $0 = substr($0, 1, at - 1) instead[p] rest
-            }
-        print
-    }
-    END {
-        for (p = 1; p <= pieces; p++)
-            if (found[p] != 1) {
-                printf "found %d times: %s\n", found[p], piece[p] | "cat >&2"
-                wrong = 1
-            }
-        exit wrong || pieces == 0
-    }' "$1" "$2" >"$2.changed" && cat "$2.changed" >"$2" && rm "$2.changed"
+    awk -f "$root/tests/plant.awk" "$1" "$2" >changed && cat changed >"$2" && rm changed
 }
 
 # Does the output of a test say that it failed as the mutant's file says?
@@ -141,13 +118,15 @@ mkdir -p "$base"
 for item in "$base"/*; do
     [ "$item" = "$base/build" ] || rm -rf "$item"
 done
-cp -Rp Makefile lib chapters tests "$base"
+cp -Rp Makefile lib chapters docs tests tools "$base"
 complaint=$base/complaint
-if (cd "$base" && echo "$tests" | sed 's|^|build/test/|' | xargs make) >"$complaint" 2>&1
+if (cd "$base" && echo "$tests" | sed 's|^|build/test/|' | xargs make) \
+    >"$complaint" 2>&1
 then
     : >"$complaint"
     [ "${TESTED-}" = yes ] ||
-        echo "$tests" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --test >"$complaint"
+        echo "$tests" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --test \
+            >"$complaint"
 fi
 if [ -s "$complaint" ]; then
     cat "$complaint"
@@ -156,10 +135,10 @@ if [ -s "$complaint" ]; then
 fi
 
 printf '%s\n' "$@" | xargs -n 1 -P 2 sh "$root/tests/mutants/run.sh" --one |
-    awk -v wanted=$# '
-    { print }
-    /^killed / { killed++ }
-    END {
-        printf "%d passed, %d failed\n", killed, wanted - killed
-        exit killed != wanted || wanted == 0
-    }'
+    tee build/mutants/log.txt
+awk -v wanted=$# '
+/^killed / { killed++ }
+END {
+    printf "%d passed, %d failed\n", killed, wanted - killed
+    exit killed != wanted || wanted == 0
+}' build/mutants/log.txt
