@@ -8,7 +8,8 @@
 #   4. the same bytes with other C libraries and machines (tests/run_portable.sh);
 #   5. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
 #
-# What a machine lacks is skipped, with a sentence, and counted apart. Ends with "N passed, N failed".
+# What a machine lacks is skipped, with a sentence, and counted apart. Ends with
+# "N passed, N failed".
 set -u
 
 if [ $# -lt 2 ]; then
@@ -78,8 +79,7 @@ tests/run_sizes.sh "$build" | note sizes
 # ---- 4 ----
 
 echo "--- other C libraries and machines"
-tests/run_portable.sh "$build" >"$long/portable.log"
-cat "$long/portable.log"
+tests/run_portable.sh "$build" | tee "$long/portable.log"
 grep '^skipped: ' "$long/portable.log" >"$long/portable.txt"
 tail -n 1 "$long/portable.log" >>"$long/portable.txt"
 

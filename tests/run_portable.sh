@@ -11,8 +11,8 @@
 # counted. Ends with "N passed, N failed".
 set -u
 
-# NAME|PROGRAM THAT RUNS|COMPILER AND FLAGS|PACKAGES. The last two stand for projects that
-# compile our sources in their own way: a*b+c is fused wherever these compilers can.
+# NAME|PROGRAM THAT RUNS|COMPILER AND FLAGS|PACKAGES. The last two stand for projects
+# that compile our sources in their own way: a*b+c is fused wherever a compiler can.
 # Debian's gcc-multilib excludes the compilers for other machines; gcc-12-multilib does
 # not, and lacks only a path to asm/.
 table() {
@@ -29,10 +29,9 @@ s390x-fused|qemu-s390x|s390x-linux-gnu-gcc -ffp-contract=fast|$s390x
 END
 }
 
-# The predicates and what they stand on; files, numbers, threads. (lib_decimal wants a
-# locale with a comma, which static programs and musl have not.)
+# The predicates and what they stand on; files, numbers, threads.
 tests='3.4_compare_distance 3.4_incircle 3.4_orient2d 3.4_orient3d 3.1_circumcentre
-3.7_fast_divide lib_expansion lib_random lib_textio'
+3.7_fast_divide lib_decimal lib_expansion lib_random lib_textio'
 
 # ---- What tri writes. ----
 
@@ -119,7 +118,8 @@ END {
 # Can this be compiled and run here?
 # shellcheck disable=SC2086 # several words
 possible() {
-    printf '%s\n' '#include <errno.h>' 'int main(void) { return errno; }' >"$own/probe.c"
+    echo '#include <errno.h>' >"$own/probe.c"
+    echo 'int main(void) { return errno; }' >>"$own/probe.c"
     $compiler -static "$own/probe.c" -o "$own/probe" && $runs "$own/probe"
 }
 
@@ -166,7 +166,8 @@ case $build in /*) root= ;; esac
 folder=$build/portable
 mkdir -p "$folder/here"
 names_after() {
-    "$build/tri" help "$1" | awk -v after="^$2" '$0 ~ after { on = 1; next } on { print $1 }'
+    "$build/tri" help "$1" |
+        awk -v after="^$2" '$0 ~ after { on = 1; next } on { print $1 }'
 }
 distributions=$(names_after generate Distributions)
 algorithms=$(names_after triangulate Algorithms)
@@ -186,12 +187,12 @@ table | while IFS='|' read -r name runs compiler packages; do
     case " ${*:-$name} " in
     *" $name "*) try_row </dev/null ;;
     esac
-done | awk '
-    { print; fflush() }
-    /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
-    /^skipped: / { skipped++ }
-    END {
-        printf "--- %d skipped; all others:\n", skipped
-        printf "%d passed, %d failed\n", passed, failed
-        exit failed > 0
-    }'
+done | tee "$folder/log.txt"
+awk '
+/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
+/^skipped: / { skipped++ }
+END {
+    printf "--- %d skipped; all others:\n", skipped
+    printf "%d passed, %d failed\n", passed, failed
+    exit failed > 0
+}' "$folder/log.txt"

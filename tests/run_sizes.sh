@@ -76,14 +76,12 @@ table | while read -r n algorithm locator distributions; do
     for distribution in $distributions; do
         try_size "$n" "$algorithm" "$locator" "$distribution"
     done
-done | awk '
-    { print; fflush() }
-    /^ok /     { passed++ }
-    /^not ok / { failed++ }
-    END {
-        printf "%d passed, %d failed\n", passed, failed
-        exit failed > 0 || passed == 0
-    }'
-status=$?
+done | tee "$folder.txt"
 rm -rf "$folder"
-exit $status
+awk '
+/^ok /     { passed++ }
+/^not ok / { failed++ }
+END {
+    printf "%d passed, %d failed\n", passed, failed
+    exit failed > 0 || passed == 0
+}' "$folder.txt"
