@@ -148,6 +148,17 @@ pictures_and_statistics(void)
         CLAIM("tri.stats", has("out", names[i]), "no line %s: %s", names[i],
               read_scratch("out").text);
     run_tri(0, "check docs/data/timezones.csv $d/t.ele");
+    CLAIM("tri.stats", shell("$build/counted/tri triangulate --algorithm sweep --stats "
+                             "docs/data/timezones.csv >$d/out") == 0, "no counts");
+    const char *const counts[] = {"\norient2d 1228\n", /* 4u-6-h: page 2.3, P6 */
+                                  "\nincircle 0\n", "\norient3d 0\n",
+                                  "\ncompare_along ", "\ncompare_distance 0\n",
+                                  "\ndot_sign 0\n", "\ndecided_by_signs ",
+                                  "\ndecided_by_expansions 0\n",
+                                  "\ndecided_by_wide 0\n", "\nzeros "};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++)
+        CLAIM("tri.stats", has("out", counts[i]), "no line %s: %s", counts[i] + 1,
+              read_scratch("out").text);
     run_tri(0, "triangulate --algorithm divide --cuts alternating -o $d/a.ele "
                "docs/data/timezones.csv");
     run_tri(0, "triangulate --algorithm divide -o $d/v.ele docs/data/timezones.csv");

@@ -129,6 +129,7 @@ print_predicates(predicate_counts c)
     print_count("orient3d", c.orient3d);
     print_count("compare_along", c.compare_along);
     print_count("compare_distance", c.compare_distance);
+    print_count("dot_sign", c.dot_sign);
     print_count("decided_by_signs", c.signs);
     print_count("decided_by_expansions", c.expansions);
     print_count("decided_by_wide", c.wide);
