@@ -2,8 +2,9 @@
 # run_long.sh BUILD TEST... - what takes too long for every day.
 #
 #   1. every test with ten times as many trials;
-#   2. the tests of 3.4 built by gcc and clang without and with optimisation, for this
-#      very processor, with contraction where the filters are inlined, and for 32 bits;
+#   2. the same of the tests of 3.4, built by gcc and clang without and with
+#      optimisation, for this very processor, with contraction where the filters are
+#      inlined, and for 32 bits;
 #   3. large inputs, up to a million points (tests/run_sizes.sh);
 #   4. the same bytes with other C libraries and machines (tests/run_portable.sh);
 #   5. the readers of files under a fuzzer, for FUZZ_SECONDS (60 if not given).
@@ -54,7 +55,7 @@ try_flags() {
     # shellcheck disable=SC2086 # several targets, several tests
     if make -s BUILD="$long/$1" CC="$2" CFLAGS="$3" \
         POSIX="-D_POSIX_C_SOURCE=200809L ${4-}" $targets; then
-        tests/run.sh "$long/$1" $predicates | note "$1"
+        TEST_ARGS='--trials-factor 10' tests/run.sh "$long/$1" $predicates | note "$1"
     else
         echo "it does not compile"
         echo "0 passed, 1 failed" | note "$1"

@@ -226,6 +226,23 @@ enough(const char *what, uint64_t count, uint64_t minimum)
     return count >= minimum;
 }
 
+/* How often the claims with these names have been made, all of them together. */
+static uint64_t
+times_made(const char *names)
+{
+    uint64_t made = 0;
+    size_t length;
+    for (; *names != '\0'; names += length + (names[length] == ' ')) {
+        length = strcspn(names, " ");
+        for (uint32_t i = 0; i < program.total.claims; i++) {
+            const char *name = program.total.claim[i].name;
+            if (strlen(name) == length && memcmp(name, names, length) == 0)
+                made += program.total.claim[i].made;
+        }
+    }
+    return made;
+}
+
 int
 test_end(test_minima minima)
 {
@@ -239,6 +256,9 @@ test_end(test_minima minima)
     looked &= enough("answers by the second tier", total->expansions,
                      minima.expansions);
     looked &= enough("answers by the third tier", total->wide, minima.wide);
+    for (int i = 0; i < 5 && minima.made[i].names != NULL; i++)
+        looked &= enough(minima.made[i].names, times_made(minima.made[i].names),
+                         minima.made[i].times);
     printf("# outside the hypotheses: %llu\n", (unsigned long long)total->outside);
     looked &= total->outside <= total->trials / 5;
 

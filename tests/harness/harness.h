@@ -89,11 +89,18 @@ void test_points(const char *what, property *p, const point2 *points, uint32_t n
 /* A check without points. */
 void test_run(const char *what, void (*check)(void));
 
+/* Claims, and how often they must be made, all of them together. */
+typedef struct claim_minimum {
+    const char *names; /* separated by blanks */
+    uint64_t times;
+} claim_minimum;
+
 /* What the program must at least have tried: a search that has not looked says
- * nothing. The last three are answers of predicates: zeros met, and those that
- * needed the second and the third tier of 3.4. */
+ * nothing. zeros, expansions and wide are answers of predicates: zeros met, and those
+ * that needed the second and the third tier of 3.4. */
 typedef struct test_minima {
     uint64_t trials, largest_n, zeros, expansions, wide;
+    claim_minimum made[5]; /* as many as have names */
 } test_minima;
 
 /* Prints the counts, asserts the minima and that at most 20 % of the trials were
