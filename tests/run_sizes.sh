@@ -13,6 +13,8 @@ seconds=30
 # enough; so they are for a walk that begins far away.
 table() {
     cat <<'END'
+1000000 sweep       -        uniform normal clusters grid circle kuzmin near-line
+1000000 sweep       -        collinear parabola ladder spiral
 1000000 incremental -        uniform normal clusters grid circle kuzmin near-line
 1000000 incremental -        collinear parabola ladder spiral
 1000000 biased      -        uniform normal clusters grid circle kuzmin near-line
@@ -31,11 +33,15 @@ END
 try_size() {
     name="$2 $4 $1"
     options="--algorithm $2"
+    kind=--delaunay
+    if [ "$2" = sweep ]; then
+        kind=
+    fi
     if [ "$3" != - ]; then
         name="$2/$3 $4 $1"
         options="$options --locator $3"
     fi
-    # shellcheck disable=SC2086 # two options or four
+    # shellcheck disable=SC2086 # two options or four; one or none
     if ! "$tri" generate "$4" "$1" -o "$points"; then
         echo "not ok - $name: no points"
     elif ! (
@@ -47,7 +53,7 @@ try_size() {
         exit $status
     ) >"$log" 2>&1; then
         echo "not ok - $name: more than $seconds s, or: $(cat "$log")"
-    elif ! "$tri" check --delaunay "$points" "$triangles" >"$log" 2>&1; then
+    elif ! "$tri" check $kind "$points" "$triangles" >"$log" 2>&1; then
         echo "not ok - $name: $(cat "$log")"
     else
         # The second line of `times` is what its children have used: 0m1.23s 0m0.04s.
