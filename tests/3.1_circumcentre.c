@@ -124,6 +124,19 @@ centres_are_rounded_once(const point2 *points, uint32_t n)
     }
 }
 
+/* The points are moved up or down by a power of two: as far as expansions go, and
+ * beyond. */
+static void
+at_every_scale(const point2 *points, uint32_t n)
+{
+    point2 moved[8];
+    uint32_t count = n < 8 ? n : 8;
+    int exponent = (int)random_below(test_random_source(), 901) - 450;
+    for (uint32_t i = 0; i < count; i++)
+        moved[i] = (point2){ldexp(points[i].x, exponent), ldexp(points[i].y, exponent)};
+    centres_are_rounded_once(moved, count);
+}
+
 static void
 known_centres(void)
 {
@@ -135,6 +148,8 @@ known_centres(void)
         {{{0, 0}, {1, 0}, {0, 3}}, {0.5, 1.5}},
         {{{0, 0}, {0x1p-1074, 0}, {0, 1}},
          {0, 0.5}}, /* a tie: half the least double */
+        {{{0, 0}, {-0x1p-1074, 0}, {0, 1}},
+         {0, 0.5}}, /* the same on the other side, and not -0 */
         {{{0, 0}, {0x1.8p-1073, 0}, {0, 1}},
          {0x1p-1073, 0.5}}, /* the same, rounded up */
         {{{0, 0}, {0x1.8p1023, 0}, {0, 0x1p1023}}, {0x1.8p1022, 0x1p1022}},
@@ -145,7 +160,8 @@ known_centres(void)
         CLAIM("sec3.1.P13", circumcentre(s[0], s[1], s[2], &c) == TRI_OK,
               "no centre");
         CLAIM("sec3.1.P13",
-              c.x == known[i].centre.x && c.y == known[i].centre.y,
+              c.x == known[i].centre.x && c.y == known[i].centre.y &&
+                  !signbit(c.x) == (c.x >= 0),
               "(%.17g,%.17g) for (%.17g,%.17g)", c.x, c.y, known[i].centre.x,
               known[i].centre.y);
     }
@@ -169,6 +185,7 @@ main(int argc, char **argv)
     test_begin(argc, argv, "3.1: the coordinates of a vertex are rounded once");
     test_random("rounded once", centres_are_rounded_once, 1500, 20);
     test_near_degenerate("rounded once", centres_are_rounded_once, 1500, 12);
+    test_random("at every scale", at_every_scale, 2000, 8);
     test_run("known centres", known_centres);
     test_run("far centres", far_centres_are_refused);
     return test_end((test_minima){.trials = 3000, .largest_n = 15});

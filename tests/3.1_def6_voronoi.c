@@ -193,6 +193,8 @@ unbounded_cells_are_on_the_hull(const point2 *points, uint32_t n)
             CLAIM("sec3.1.P8", voronoi_is_bounded(&d, p) == !on_hull[p],
                   "site %u is%s on the hull boundary", p,
                   on_hull[p] ? "" : " not");
+    if (u == 1) /* the whole plane, which is listed without an edge */
+        CLAIM("sec3.1.P8", !voronoi_is_bounded(&d, 0), "the plane is bounded");
     bool collinear = affine_dimension(points, n) < 2;
     CLAIM("sec3.1.P8", (d.vertices == 0) == collinear, "%u vertices",
           d.vertices);

@@ -240,6 +240,46 @@ per_triangle_is_the_triangulation(const point2 *points, uint32_t n)
     mesh_free(&m);
 }
 
+/* The diagram of a square is forged for a quadrilateral whose corners are on no circle:
+ * all is in order but that circle. */
+static void
+a_vertex_needs_its_circle(void)
+{
+    const point2 square[] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    const point2 other[] = {{0, 0}, {2, 0}, {3, 3}, {0, 2}};
+    mesh m;
+    voronoi d;
+    verdict v;
+    random_diagram(square, 4, &m, &d);
+    CLAIM("sec3.1.P11", is_voronoi(square, 4, &d, &v) == TRI_OK, "out of memory");
+    claim_verdict("sec3.1.P11", v);
+    CLAIM("sec3.1.P11", is_voronoi(other, 4, &d, &v) == TRI_OK, "out of memory");
+    CLAIM("sec3.1.P11", !v.holds && v.witnesses == 4, "four sites on no circle");
+    voronoi_free(&d);
+    mesh_free(&m);
+}
+
+/* Lists that begin after they end. */
+static void
+broken_lists_are_seen(void)
+{
+    const point2 points[] = {{0, 0}, {3, 0}, {3, 2}, {0, 2}, {1, 1}};
+    mesh m;
+    voronoi d;
+    verdict v;
+    random_diagram(points, 5, &m, &d);
+    uint32_t *const first[] = {d.vertex_first, d.cell_first};
+    for (int i = 0; i < 2; i++) {
+        uint32_t kept = first[i][1];
+        first[i][1] = first[i][2] + 1;
+        CLAIM("sec3.1.P11", is_voronoi(points, 5, &d, &v) == TRI_OK, "memory");
+        CLAIM("sec3.1.P11", !v.holds, "list %d is in no order", i);
+        first[i][1] = kept;
+    }
+    voronoi_free(&d);
+    mesh_free(&m);
+}
+
 static void
 nothing_leaks(void)
 {
@@ -281,6 +321,8 @@ main(int argc, char **argv)
     test_run("a forgotten vertex", a_forgotten_vertex_is_seen);
     test_run("one edge more", one_edge_more_is_seen);
     test_run("a cell around twice", a_cell_around_twice_is_seen);
+    test_run("a vertex without a circle", a_vertex_needs_its_circle);
+    test_run("broken lists", broken_lists_are_seen);
     test_run("out of memory", nothing_leaks);
     return test_end((test_minima){
         .trials = 6000, .largest_n = 30, .zeros = 10000, .expansions = 1000});

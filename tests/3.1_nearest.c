@@ -84,6 +84,23 @@ a_walk_is_short(void)
     mesh_free(&m);
 }
 
+/* With one location there is no vertex to begin at, and copies change nothing. */
+static void
+one_site_is_the_nearest(void)
+{
+    const point2 points[] = {{2, 3}, {2, 3}, {2, 3}};
+    for (uint32_t n = 1; n <= 3; n++) {
+        mesh m;
+        uint32_t visited;
+        CLAIM("sec3.1.P14", lawson_triangulate(points, n, NULL, &m) == TRI_OK,
+              "no mesh");
+        vertex_id found = nearest_site(&m, points, (point2){9, 9}, n - 1, &visited);
+        CLAIM("sec3.1.P14", found == 0 && visited == 1, "%u, %u visited", found,
+              visited);
+        mesh_free(&m);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -92,6 +109,7 @@ main(int argc, char **argv)
     test_near_degenerate("nearest", the_walk_ends_at_a_nearest_site, 1000, 30);
     test_grid_subsets("nearest", the_walk_ends_at_a_nearest_site, 3);
     test_run("a walk is short", a_walk_is_short);
+    test_run("one site", one_site_is_the_nearest);
     return test_end((test_minima){.trials = 3000,
                                   .largest_n = 50,
                                   .zeros = 1000,

@@ -370,6 +370,31 @@ the_unit_square(void)
     mesh_free(&m);
 }
 
+/* Three sites on the circle of a square's corners but for one: other cells. */
+static void
+equal_cells_only(void)
+{
+    const point2 sites[][5] = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {9, 1}},
+                               {{0, 0}, {2, 0}, {2, 3}, {0, 2}, {9, 1}},
+                               {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {2, 9}},
+                               {{0, 0}, {0, 2}, {2, 2}, {2, 0}, {9, 1}}};
+    enum { SETS = sizeof sites / sizeof sites[0] };
+    mesh m[SETS];
+    subdivision s[SETS];
+    for (int i = 0; i < SETS; i++) {
+        m[i] = brute_mesh(sites[i], 5);
+        s[i] = cells_of(&m[i], sites[i]);
+    }
+    for (int i = 0; i < SETS; i++)
+        for (int j = 0; j < SETS; j++)
+            CLAIM("def8.P5", subdivisions_are_equal(&s[i], &s[j]) == (i == j),
+                  "the cells of sets %d and %d", i, j);
+    for (int i = 0; i < SETS; i++) {
+        subdivision_free(&s[i]);
+        mesh_free(&m[i]);
+    }
+}
+
 /* ---- Memory that runs out. ---- */
 
 static void
@@ -441,6 +466,7 @@ main(int argc, char **argv)
     test_random("triples", every_triple_of_a_cell_is_listed, 500, 24);
     test_near_degenerate("triples", every_triple_of_a_cell_is_listed, 500, 14);
     test_run("E21, E22: the unit square", the_unit_square);
+    test_run("equal cells only", equal_cells_only);
     test_run("memory may run out", memory_may_run_out);
     return test_end((test_minima){.trials = 9000,
                                   .largest_n = 23,

@@ -448,6 +448,30 @@ the_check_is_enough(const point2 *points, uint32_t n)
 
 /* ---- Refusals, and memory that runs out. ---- */
 
+static int
+never_called(trace *self, const mesh *m, const trace_event *event)
+{
+    (void)self;
+    (void)m;
+    return event != NULL; /* stops the run */
+}
+
+/* Also where the hull is flat and the sweep does the work. */
+static void
+nothing_is_reported(void)
+{
+    const point2 points[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.25}};
+    trace watching = {never_called};
+    tri_options options = tri_options_default();
+    options.trace = &watching;
+    for (uint32_t n = 4; n <= 5; n++) {
+        mesh m;
+        tri_status status = lift_triangulate(points, n, &options, &m);
+        CLAIM("lower.P5", status == TRI_OK, "%u sites: %s", n, tri_status_text(status));
+        mesh_free(&m);
+    }
+}
+
 static void
 refused_or_out_of_memory(void)
 {
@@ -522,6 +546,7 @@ main(int argc, char **argv)
     test_run("E26: the square and the circle", e26_flat);
     test_random("is_lower_hull", the_check_is_enough, 1500, 30);
     test_near_degenerate("is_lower_hull", the_check_is_enough, 1500, 15);
+    test_run("nothing is reported", nothing_is_reported);
     test_run("refused, out of memory", refused_or_out_of_memory);
     return test_end((test_minima){.trials = 80000,
                                   .largest_n = 100,

@@ -6,6 +6,8 @@
 #include "lib/memory.h"
 #include "lib/mesh_build.h"
 
+static const point2 along_x = {1, 0};
+
 /* ---- Definition 7. ---- */
 
 bool
@@ -102,7 +104,6 @@ tri_status
 delaunay_triangles(const point2 *points, uint32_t n, triangle_list *out)
 {
     *out = (triangle_list){0};
-    const point2 along_x = {1, 0};
     uint32_t u;
     vertex_id *site = memory_array(n, sizeof *site);
     if (site == NULL)
@@ -154,15 +155,15 @@ keep_fans(const point2 *points, uint32_t n, triangle_list *list)
     list->count = kept;
 }
 
-/* The path along collinear points. */
+/* The path along collinear points: its order is the same in every direction. */
 static tri_status
-path_along(const point2 *points, uint32_t n, point2 d, mesh *out)
+path_along(const point2 *points, uint32_t n, mesh *out)
 {
     uint32_t u;
     vertex_id *path = memory_array(n, sizeof *path);
     if (path == NULL)
         return TRI_OUT_OF_MEMORY;
-    tri_status status = sort_along(points, n, d, path, &u);
+    tri_status status = sort_along(points, n, along_x, path, &u);
     if (status == TRI_OK)
         status = mesh_from_path(n, path, u, out);
     memory_free(path);
@@ -183,7 +184,7 @@ brute_triangulate(const point2 *points, uint32_t n, const tri_options *options,
         return status;
     keep_fans(points, n, &list);
     status = list.count > 0 ? mesh_from_triangles(n, list, out)
-                            : path_along(points, n, used.direction, out);
+                            : path_along(points, n, out);
     triangle_list_free(&list);
     return status;
 }

@@ -65,8 +65,8 @@ in_lune(const mesh *m, const point2 *points, halfedge_id e, vertex_id z)
 
 /* An elimination path: a site z on the left of e, with e in its way, can be in
  * the lune of one edge behind e only, the longer one of the triangle on the
- * right of e (page 3.2, graphs.P3). The half-edge along it that has z on its
- * left; NONE when there is no longer one. */
+ * right of e (page 3.2, graphs.P3); of equally long ones in none. The half-edge
+ * along it that has z on its left; NONE when there is no triangle. */
 static halfedge_id
 next_on_path(const mesh *m, const point2 *points, halfedge_id e)
 {
@@ -74,8 +74,7 @@ next_on_path(const mesh *m, const point2 *points, halfedge_id e)
     if (!mesh_in_triangle(m, twin))
         return NONE;
     halfedge_id f = mesh_next(twin), g = mesh_prev(twin);
-    int order = compare_halfedges(m, points, f, g);
-    return order == 0 ? NONE : order > 0 ? f : g;
+    return compare_halfedges(m, points, f, g) > 0 ? f : g;
 }
 
 /* ahead[e] is e while nobody has eliminated e, and afterwards a half-edge that
@@ -95,14 +94,14 @@ first_ahead(halfedge_id *ahead, halfedge_id e)
     return e;
 }
 
-/* Takes e out of the paths. If nothing but e is left on a path that comes back
- * to e, the path ends here. */
+/* Takes e out of the paths. If the path from e comes back to e, it goes around
+ * some of the sites, and something else is left on it: an edge that connects them
+ * with the others, for the graph is connected (page 3.2, graphs.P6). */
 static void
 eliminate_halfedge(const mesh *m, const point2 *points, halfedge_id *ahead,
                    halfedge_id e)
 {
-    halfedge_id next = first_ahead(ahead, next_on_path(m, points, e));
-    ahead[e] = next == e ? NONE : next;
+    ahead[e] = first_ahead(ahead, next_on_path(m, points, e));
 }
 
 /* Eliminates what the site z, on the left of e, eliminates beginning at e. Each
