@@ -117,7 +117,7 @@ base_prepare(const grading *g)
     if (base_is_prepared(g, g->base))
         return;
     const char *const make[] = {"make", "-s", format("CC=%s", g->compiler),
-                                "CFLAGS=" GRADING_FLAGS, "all", NULL};
+                                "CFLAGS=" GRADING_FLAGS, "programs", NULL};
     int status = run(g->base, make, 600, 8000, &said, NULL);
     if (status != 0)
         refuse("the tree that was handed out does not compile (status %d):\n%s", status, said);

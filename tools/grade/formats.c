@@ -86,6 +86,21 @@ told(const char *name, const char *otherwise)
     return value != NULL && *value != '\0' ? clean(value, strlen(value), 500) : otherwise;
 }
 
+/* The instant of the submission, which its tag says: submit/2026-06-01T14-32-05Z-... becomes
+ * 2026-06-01T14:32:05Z. NULL if it is another tag. */
+static const char *
+instant_of(const char *tag)
+{
+    static const char form[] = "dddd-dd-ddTdd-dd-ddZ";
+    const char *slash = strchr(tag, '/');
+    char *instant = part_of(slash != NULL ? slash + 1 : tag, sizeof form - 1);
+    for (size_t i = 0; i < sizeof form - 1; i++)
+        if (form[i] == 'd' ? instant[i] < '0' || instant[i] > '9' : instant[i] != form[i])
+            return NULL;
+    instant[13] = instant[16] = ':';
+    return instant;
+}
+
 static void
 write_classroom50(FILE *file, const grading *g, const result *r)
 {
@@ -98,6 +113,8 @@ write_classroom50(FILE *file, const grading *g, const result *r)
     json_field(file, ",\n  ", "commit", told("COMMIT_URL", "none"));
     json_field(file, ",\n  ", "release", told("RELEASE_URL", "none"));
     json_field(file, ",\n  ", "review", told("REVIEW_URL", told("COMMIT_URL", "none")));
+    if (instant_of(told("SUBMISSION_TAG", "")) != NULL)
+        json_field(file, ",\n  ", "datetime", instant_of(told("SUBMISSION_TAG", "")));
     for (size_t p = 0; p < a->properties; p++)
         most += a->property[p].points;
     fprintf(file, ",\n  \"score\": %d,\n  \"max-score\": %d,\n  \"tests\": [\n",

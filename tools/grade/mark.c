@@ -52,7 +52,7 @@ mark_task(result *r, const task *t, const char *word, const char *sentence, cons
 typedef struct build {
     const grading *g;
     const char *folder;     /* from /; in it src/ and build/ */
-    const char **refusal;   /* of each listed file: NULL, or what the compiler says */
+    const char **refusal;   /* of each listed file: NULL, or why it is no part of it */
 } build;
 
 /* Is the file part of the programs of a mode? (What a question of the checker replaces
@@ -107,8 +107,17 @@ compile_file(const build *b, const char *mode, size_t f, const char **fault)
         ? "The compiler was ended: it took too much time." : "The compiler failed.";
 }
 
-/* Compiles all listed files in all modes. One that cannot be is replaced by what was handed
- * out, so that the exercises of the other files can be graded. */
+static bool
+is_asked_in(const assignment *a, const char *mode)
+{
+    for (size_t t = 0; t < a->exercises; t++)
+        if (strcmp(a->task[t].mode, mode) == 0)
+            return true;
+    return false;
+}
+
+/* Compiles the listed files in the modes in which something is asked. One that cannot be is
+ * replaced by what was handed out, so that the exercises of the other files can be graded. */
 static void
 compile_files(build *b, const char **fault)
 {
@@ -116,7 +125,8 @@ compile_files(build *b, const char **fault)
     static const char *const modes[] = {"opaque", "plain"};
     for (size_t f = 0; f < a->files; f++)
         for (int m = 0; m < 2; m++)
-            if (b->refusal[f] == NULL && is_in_mode(b->g, modes[m], a->file[f]))
+            if (b->refusal[f] == NULL && is_asked_in(a, modes[m]) &&
+                is_in_mode(b->g, modes[m], a->file[f]))
                 b->refusal[f] = compile_file(b, modes[m], f, fault);
 }
 
@@ -394,6 +404,7 @@ mark_submission(const grading *g, const char *name, const char *path, const char
     make_folder(format("%s/build", scratch));
     listed l = files_collect(g, path, format("%s/src", scratch));
     r.notes = l.notes;
+    memcpy(b.refusal, l.trouble, a->files * sizeof *b.refusal); /* what is not used */
     compile_files(&b, &r.fault);
     for (size_t t = 0; t < a->tasks && r.fault == NULL; t++)
         mark_one(&b, &a->task[t], name, &l, &r);
