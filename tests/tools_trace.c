@@ -183,10 +183,12 @@ last_edges_are_those_of_triangulate(void)
             int status = shell(
                 "$tri generate %s -o $d/p.node || exit 3; "
                 "$tri trace --algorithm %s -o $d/t.json $d/p.node || exit 4; "
-                "$tri triangulate --algorithm %s -o $d/t.ele $d/p.node 2>$d/err || exit 5; "
+                "$tri triangulate --algorithm %s -o $d/t.ele $d/p.node 2>$d/err || "
+                "    exit 5; "
                 "{ awk 'NR > 1 { print $2, $3; print $3, $4; print $4, $2 }' $d/t.ele; "
                 "  $tri hull $d/p.node 2>$d/err | awk 'NR > 1 { print $2, $3 }'; } | "
-                "awk '{ print $1 < $2 ? $1 \" \" $2 : $2 \" \" $1 }' | sort -u >$d/there; "
+                "awk '{ print $1 < $2 ? $1 \" \" $2 : $2 \" \" $1 }' | "
+                "    sort -u >$d/there; "
                 "%s >$d/here; cmp $d/here $d/there >$d/err 2>&1",
                 inputs[i], name, name, edges_of_trace);
             CLAIM("trace.triangulate", status == 0, "%s, %s: exit status %d: %s",

@@ -161,8 +161,8 @@ has_edge(const trial *t, const char *name, vertex_id a, vertex_id b)
     return false;
 }
 
-/* Are these numbers the edges of the list, and no others, in this order? A sentence names
- * six at most. */
+/* Are these numbers the edges of the list, and no others, in this order? A sentence
+ * names six at most. */
 static bool
 are_edges(const trial *t, const sentence *s, uint32_t from, const char *name)
 {
@@ -230,7 +230,8 @@ check_seen(const trial *t, const sentence *s, uint32_t from, vertex_id p,
         claim(t, s, strcmp(rest, none) == 0);
     else
         claim(t, s, are_edges(t, s, from, "edges") &&
-              strncmp(rest, "the hull edge", 13) == 0 && (rest[13] == 's') == (count > 1));
+              strncmp(rest, "the hull edge", 13) == 0 &&
+              (rest[13] == 's') == (count > 1));
     for (vertex_id v = 0; v < t->r.n && count == 0; v++)
         claim(t, s, !there(t, neighbour, v) || turn(t, neighbour, v, p) == 0);
 }
@@ -248,7 +249,8 @@ check_start_and_attach(trial *t, const sentence *s)
         vertex_id some = 0;
         while (!r->is_vertex[some])
             some++;
-        claim(t, s, step_point(r, t->step, "point", 0) == id[0] && !r->is_vertex[id[0]]);
+        claim(t, s, step_point(r, t->step, "point", 0) == id[0] &&
+              !r->is_vertex[id[0]]);
         check_seen(t, s, 1, id[0], some);
     } else if (begins(s, "join # to ") && strstr(s->words, "it sees ") != NULL) {
         uint32_t added = step_count(t->step, "add"), named = added <= 6 ? added : 5;
@@ -447,8 +449,8 @@ static bool
 check_tangents(trial *t, const sentence *s)
 {
     const vertex_id *id = s->id;
-    if (is(s, "#-# is the lower tangent: no point of the two parts lies right of the line "
-              "from # to #")) {
+    if (is(s, "#-# is the lower tangent: no point of the two parts lies right of the "
+              "line from # to #")) {
         memset(t->part, 0, sizeof t->part);
         claim(t, s, !t->merging);
         t->merging = true;
@@ -459,15 +461,16 @@ check_tangents(trial *t, const sentence *s)
         mark_part(t, t->r_end, t->part, 'r');
         for (vertex_id v = 0; v < t->r.n; v++)
             claim(t, s, t->part[v] == 0 || turn(t, t->l, t->r_end, v) >= 0);
-    } else if (is(s, "#-# is the upper tangent: no point of the two parts lies left of the "
-                     "line from # to #")) {
+    } else if (is(s, "#-# is the upper tangent: no point of the two parts lies left of "
+                     "the line from # to #")) {
         claim(t, s, t->merging && id[2] == t->l && id[3] == t->r_end &&
               there(t, t->l, t->r_end));
         t->merging = false;
         for (vertex_id v = 0; v < t->r.n; v++)
             claim(t, s, t->part[v] == 0 || turn(t, t->l, t->r_end, v) <= 0);
     } else if (is(s, "join # and # by the lower tangent")) {
-        claim(t, s, id[0] == t->l && id[1] == t->r_end && has_edge(t, "add", id[0], id[1]));
+        claim(t, s, id[0] == t->l && id[1] == t->r_end &&
+              has_edge(t, "add", id[0], id[1]));
     } else {
         return false;
     }
@@ -481,7 +484,8 @@ check_merge(trial *t, const sentence *s)
     if (begins(s, "#-# goes: # lies inside the circle of #, #, #")) {
         const char *line = step_text(t->step, "line");
         bool left = t->part[id[0]] == 'l';
-        claim(t, s, is_circle_right(t, s, id + 2) && has_edge(t, "remove", id[0], id[1]) &&
+        claim(t, s, is_circle_right(t, s, id + 2) &&
+              has_edge(t, "remove", id[0], id[1]) &&
               id[2] == (left ? t->r_end : t->l) &&
               strcmp(line, left ? "Step 3" : "Step 4") == 0);
         return true;
@@ -491,7 +495,8 @@ check_merge(trial *t, const sentence *s)
     bool on_right = id[0] == t->l || id[1] == t->l;
     vertex_id stays = on_right ? t->l : t->r_end, old = on_right ? t->r_end : t->l;
     vertex_id winner = id[0] == stays ? id[1] : id[0];
-    claim(t, s, (id[0] == stays || id[1] == stays) && has_edge(t, "add", id[0], id[1]) &&
+    claim(t, s, (id[0] == stays || id[1] == stays) &&
+          has_edge(t, "add", id[0], id[1]) &&
           t->part[winner] == t->part[old] && turn(t, t->l, t->r_end, winner) > 0);
     if (is(s, "join #-#: # is the only candidate, as # sees no hull edge at #")) {
         claim(t, s, id[2] == winner && id[3] == old && id[4] == stays);
@@ -499,7 +504,8 @@ check_merge(trial *t, const sentence *s)
             claim(t, s, !there(t, stays, v) || t->part[v] != t->part[stays] ||
                   turn(t, t->l, t->r_end, v) <= 0);
     } else {
-        claim(t, s, strstr(s->words, "inside") == NULL && is_circle_right(t, s, id + 2) &&
+        claim(t, s, strstr(s->words, "inside") == NULL &&
+              is_circle_right(t, s, id + 2) &&
               id[3] == t->l && id[4] == t->r_end && id[5] == winner &&
               t->part[id[2]] == t->part[stays] && there(t, stays, id[2]));
     }
@@ -516,8 +522,8 @@ check_order(const trial *t, const char *before)
 {
     const char *event = t->step != NULL ? step_text(t->step, "event") : "the end";
     bool answer = strcmp(event, "keep") == 0 || strcmp(event, "flip") == 0;
-    CLAIM("trace.says", strcmp(before, "pop") != 0 || answer, "step %u: after pop comes %s",
-          t->r.next, event);
+    CLAIM("trace.says", strcmp(before, "pop") != 0 || answer,
+          "step %u: after pop comes %s", t->r.next, event);
 }
 
 static void

@@ -1,5 +1,5 @@
-/* The tools that bind text and code: weave, say.sh, deps and check.sh find whatever is not
- * true.
+/* The tools that bind text and code: weave, say.sh, deps and check.sh find whatever is
+ * not true.
  *
  * Each trial plants a small project in a folder of its own, damages one thing, and
  * wants the damage to be named with file and line. And the example of the first page
@@ -71,8 +71,8 @@ static const char *const woven =
     "See [the source](a.c), `chapters/2.3_a/a.c add` and `lib/b.h`.\n"
     "<!-- code: chapters/2.3_a/a.c add -->\n```c\n"
     "static int\nadd(int a, int b)\n{\n"
-    "    while (a > 0) { // Line 1: move\n        a--;        // Line 2\n        b++;\n\n"
-    "    } // Line 3\n    return b; // Line 10\n}\n```\n"
+    "    while (a > 0) { // Line 1: move\n        a--;        // Line 2\n"
+    "        b++;\n\n    } // Line 3\n    return b; // Line 10\n}\n```\n"
     "<!-- code: chapters/2.3_a/a.c add \"Line 1\" -->\n```c\n"
     "while (a > 0) { // Line 1: move\n    a--;        // Line 2\n    b++;\n```\n"
     "<!-- code: chapters/2.3_a/a.c add \"Line 2\" -->\n```c\n"
@@ -118,12 +118,14 @@ plant(void)
     write_file("chapters/2.3_a/a.c", source);
     write_file("chapters/2.3_a/README.md", page);
     write_file("README.md", "# All\n[a](chapters/2.3_a/README.md)\n");
-    write_file("tests/2.3_a.c", "CLAIM(\"fig3.P1\", 1, \"\");\nCLAIM(\n  \"E10\", 1, \"\");\n");
+    write_file("tests/2.3_a.c",
+               "CLAIM(\"fig3.P1\", 1, \"\");\nCLAIM(\n  \"E10\", 1, \"\");\n");
     write_file("docs/errata.md",
                "| E10 | 2.3 | `tests/2.3_a.c` |\n| E11 | 2.3 | planned |\n");
     write_file("docs/glossary.md", "| add, `add` | plus | sum |\n");
     write_file("docs/notes_map.md",
-               "| F3 | 2.3 | x | `chapters/2.3_a/a.c add` | `tests/2.3_a.c` | - | stands |\n"
+               "| F3 | 2.3 | x | `chapters/2.3_a/a.c add` | `tests/2.3_a.c` | - | "
+               "stands |\n"
                "| F4 | 3.1 | x | `lib/nothing.c` | - | - | planned |\n");
 }
 
@@ -167,7 +169,8 @@ every_drift_is_found(void)
             continue;
         *at = was == 'x' ? 'y' : 'x';
         write_file("chapters/2.3_a/a.c", bytes);
-        CLAIM("weave.drift", run_tool("weave", "--check") == 1, "nobody saw:\n%s", bytes);
+        CLAIM("weave.drift", run_tool("weave", "--check") == 1, "nobody saw:\n%s",
+              bytes);
         *at = was;
     }
     write_file("chapters/2.3_a/a.c", source);
@@ -177,12 +180,13 @@ every_drift_is_found(void)
         char was = *at;
         *at = was == 'x' ? 'y' : 'x';
         write_file("chapters/2.3_a/README.md", bytes);
-        CLAIM("weave.drift", run_tool("weave", "--check") == 1, "nobody saw:\n%s", bytes);
+        CLAIM("weave.drift", run_tool("weave", "--check") == 1, "nobody saw:\n%s",
+              bytes);
         *at = was;
     }
 }
 
-/* A page that cannot be right: the line that must be named, and a word of the reason. */
+/* Pages that cannot be right: the line that must be named, and a word of the reason. */
 static void
 bad_pages_are_refused(void)
 {
@@ -192,9 +196,12 @@ bad_pages_are_refused(void)
     } bad[] = {
         {"\n<!-- code: lib/none.c add -->\n" BLOCK, ":2:", "no file", false},
         {"<!-- code: chapters/2.3_a/a.c ad -->\n" BLOCK, ":1:", "has no ad", false},
-        {"<!-- code: chapters/2.3_a/a.c add \"Line 4\" -->\n" BLOCK, ":1:", "0 times", false},
-        {"<!-- code: chapters/2.3_a/a.c add \"Line\" -->\n" BLOCK, ":1:", "4 times", false},
-        {"<!-- code: chapters/2.3_a/twice.c add -->\n" BLOCK, ":1:", "lines 1 and 5", false},
+        {"<!-- code: chapters/2.3_a/a.c add \"Line 4\" -->\n" BLOCK, ":1:", "0 times",
+         false},
+        {"<!-- code: chapters/2.3_a/a.c add \"Line\" -->\n" BLOCK, ":1:", "4 times",
+         false},
+        {"<!-- code: chapters/2.3_a/twice.c add -->\n" BLOCK, ":1:", "lines 1 and 5",
+         false},
         {"<!-- code: chapters/2.3_a/a.c add -->\ntext\n", ":1:", "```", false},
         {"\n\n```c\nint x;\n```\n", ":3:", "address", false},
         {"[x](none.c)\n", ":1:", "none.c", true},
@@ -205,7 +212,8 @@ bad_pages_are_refused(void)
     };
     char place[200], bytes[5000];
     plant();
-    write_file("chapters/2.3_a/twice.c", "void\nadd(void)\n{\n}\nint\nadd(int a)\n{\n}\n");
+    write_file("chapters/2.3_a/twice.c",
+               "void\nadd(void)\n{\n}\nint\nadd(int a)\n{\n}\n");
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         write_file("chapters/2.3_a/README.md", bad[k].text);
         int status = run_tool("weave", "--check");
@@ -226,7 +234,8 @@ static int
 run_say(const char *argument)
 {
     char command[4000];
-    snprintf(command, sizeof command, "'%s/tools/book/say.sh' '%s' %s", root, build, argument);
+    snprintf(command, sizeof command, "'%s/tools/book/say.sh' '%s' %s", root, build,
+             argument);
     return run(command);
 }
 
@@ -234,11 +243,13 @@ static void
 steps_are_those_of_the_algorithm(void)
 {
     static const char before[] =
-        "# A page\n<!-- player: --algorithm sweep chapters/2.3_a/watch.xy -->\n\nAnd so on.\n";
+        "# A page\n<!-- player: --algorithm sweep chapters/2.3_a/watch.xy -->\n\n"
+        "And so on.\n";
     static const char *const parts[] = { /* of the page afterwards, in this order */
         "# A page\n<!-- player: --algorithm sweep chapters/2.3_a/watch.xy -->\n\n",
         "<details><summary>The 3 steps as text</summary>\n\n", "1. Line 2: ", "0-1",
-        "\n2. Line 4: ", "0-1", "\n3. Line 5: ", "0-1", "\n\n</details>\n\nAnd so on.\n",
+        "\n2. Line 4: ", "0-1", "\n3. Line 5: ", "0-1",
+        "\n\n</details>\n\nAnd so on.\n",
     };
     char bytes[5000];
     plant();
@@ -263,7 +274,8 @@ steps_are_those_of_the_algorithm(void)
     CLAIM("say.drift", run_say("--check") == 1 &&
           strstr(said, "chapters/2.3_a/README.md:6:"), "other points: %s", said);
     unlink("chapters/2.3_a/watch.xy");
-    CLAIM("say.unusable", run_say("--check") == 2 && strstr(said, "watch.xy"), "%s", said);
+    CLAIM("say.unusable", run_say("--check") == 2 && strstr(said, "watch.xy"), "%s",
+          said);
 }
 
 /* ---- deps. ---- */
@@ -280,7 +292,8 @@ forbidden_includes_are_found(void)
         {"lib/b.h", "<stdio.h>", NULL},
         {"lib/b.h", "\"lib/b.h\"", "circle"},
         {"chapters/2.3_a/a.h", "\"b.h\"", "from the root"},
-        {"chapters/2.3_a/a.h", "\"chapters/2.3_a/figures.c\"", "figures.c is a program"},
+        {"chapters/2.3_a/a.h", "\"chapters/2.3_a/figures.c\"",
+         "figures.c is a program"},
         {"chapters/2.3_a/a.h", "\"tests/t.h\"", "no test"},
         {"chapters/2.3_a/a.h", "\"chapters/3.1_v/v.h\"", "earlier"},
         {"chapters/2.3_a/a.h", "\"chapters/3.4_p/p.h\"", "Needs: 3.4"},
@@ -303,9 +316,10 @@ forbidden_includes_are_found(void)
         snprintf(place, sizeof place, "%s:", include[k].path);
         write_file(include[k].path, text);
         int status = run_tool("deps", "");
-        bool named = include[k].reason && strstr(said, place) && strstr(said, include[k].reason);
-        CLAIM("deps.rules", status == (include[k].reason ? 1 : 0) &&
-              named == (include[k].reason != NULL), "%s: %s%s", include[k].path, text, said);
+        const char *reason = include[k].reason;
+        bool named = reason != NULL && strstr(said, place) && strstr(said, reason);
+        CLAIM("deps.rules", status == (reason ? 1 : 0) && named == (reason != NULL),
+              "%s: %s%s", include[k].path, text, said);
     }
     unlink("chapters/2.3_a/figures.c");
     unlink("chapters/3.1_v/v.h");
@@ -324,31 +338,38 @@ broken_promises_are_found(void)
         {"chapters/2.3_a/README.md", "**fig3.P1** (argued). x\n", "drop (argued)"},
         {"chapters/2.3_a/README.md", "**fig3.P1.** x\n\n- **fig3.P2.** y\n",
          "README.md:3: fig3.P2 is asserted by no test"},
-        {"chapters/2.3_a/README.md", "**fig3.P1.** x\n\n**fig3.P1.** y\n", "number it anew"},
-        {"tests/2.3_a.c", "CLAIM(\"fig3.P1\",\nCLAIM(\"E10\",\nclaim_verdict(\"E12\", v);\n",
+        {"chapters/2.3_a/README.md", "**fig3.P1.** x\n\n**fig3.P1.** y\n",
+         "number it anew"},
+        {"tests/2.3_a.c",
+         "CLAIM(\"fig3.P1\",\nCLAIM(\"E10\",\nclaim_verdict(\"E12\", v);\n",
          "tests/2.3_a.c:3: E12 has no row"},
         {"tests/2.3_a.c", "CLAIM(\"fig3.P1\", 1, \"\");\n",
          "docs/errata.md:1: E10 is not asserted in tests/2.3_a.c"},
         {"tests/2.3_a.c", "CLAIM(\"fig3.P1\",\nCLAIM(\"E10\",\nCLAIM(\"E11\",",
          "docs/errata.md:2: E11 is asserted in tests/2.3_a.c"},
-        {"docs/glossary.md", "| sub, `subtract` | x | x |\n", "glossary.md:1: no header"},
+        {"docs/glossary.md", "| sub, `subtract` | x | x |\n",
+         "glossary.md:1: no header"},
         {"docs/notes_map.md", "| F3 | 2.3 | x | - | `tests/2.3_a.c` | - | stands |\n",
          "F3 stands, but without code"},
         {"docs/notes_map.md", "| F3 | 2.3 | x | - | `tests/2.3_a.c` | - | done |\n",
          "the status is"},
         {"docs/notes_map.md", "| F3 | 2.3 | `tests/2.3_a.c` | - | - | - | planned |\n"
-         "| F3 | 2.3 | x | - | - | - | planned |\n", "notes_map.md:2: the id F3 stands twice"},
+         "| F3 | 2.3 | x | - | - | - | planned |\n",
+         "notes_map.md:2: the id F3 stands twice"},
         {"docs/errata.md", "| E10 | `tests/2.3_a.c` |\n| E10 | planned |\n",
          "errata.md:2: the number E10 stands twice"},
-        {"docs/notes_map.md", "| F3 | 2.3 | x | `tests/2.3_a.c` | stands |\n", "seven cells"},
+        {"docs/notes_map.md", "| F3 | 2.3 | x | `tests/2.3_a.c` | stands |\n",
+         "seven cells"},
         {"docs/notes_map.md", "| F3 | 2.3 | x | - | - | - | planned |\n",
          "tests/2.3_a.c is in no row"},
     };
     plant();
     run_tool("weave", "");
     run_check();
-    CLAIM("check.clean", strstr(said, "ok     - each claim") && strstr(said, "ok     - each err")
-          && strstr(said, "ok     - the map") && strstr(said, "ok     - the names"), "%s", said);
+    CLAIM("check.clean",
+          strstr(said, "ok     - each claim") && strstr(said, "ok     - each err") &&
+              strstr(said, "ok     - the map") && strstr(said, "ok     - the names"),
+          "%s", said);
     for (size_t k = 0; k < sizeof broken / sizeof *broken; k++) {
         plant();
         write_file(broken[k].path, broken[k].text);
@@ -368,10 +389,11 @@ example_is_delaunay(void)
     triangle_list list = {0, corner};
     verdict v = verdict_holds();
     CLAIM("example", run_tool("example", "") == 0, "%s", said);
-    for (char *line = strtok(said, "\n"); line && list.count < 20; line = strtok(NULL, "\n")) {
-        vertex_id *c = corner[list.count];
-        CLAIM("example", sscanf(line, "%u %u %u", &c[0], &c[1], &c[2]) == 3, "%s", line);
-        list.count++;
+    char *line = strtok(said, "\n");
+    for (; line && list.count < 20; line = strtok(NULL, "\n")) {
+        vertex_id *c = corner[list.count++];
+        CLAIM("example", sscanf(line, "%u %u %u", &c[0], &c[1], &c[2]) == 3, "%s",
+              line);
     }
     CLAIM("example", is_delaunay(points, 5, list, &v) == TRI_OK, "no memory");
     claim_verdict("example", v);

@@ -66,21 +66,25 @@ library_has_no_writable_globals() {
     nm -A -f sysv "$build/libtri.a" >"$scratch/symbols" || return 1
     awk -F' *[|] *' '
     $7 ~ /^\.(data|bss|tdata|tbss)/ && $7 !~ /^\.data\.rel\.ro/ || $7 ~ /COM/ {
-        print $1 " is writable (" $7 "): make it const, or give it to the caller"; bad = 1
+        print $1 " is writable (" $7 "): make it const, or give it to the caller"
+        bad = 1
     }
     END { exit bad }' "$scratch/symbols"
 }
 
-# A program may have set any locale. lib/decimal.c reads and writes numbers in all of them;
-# the others ask it.
+# A program may have set any locale. lib/decimal.c reads and writes numbers in all of
+# them; the others ask it.
 # shellcheck disable=SC2016 # the dollars are awk's
 library_asks_no_locale() {
     nm -A -P "$build/libtri.a" >"$scratch/symbols" || return 1
     awk '
     function wrong(what) { print what ": leave it to lib/decimal.c"; bad = 1 }
+    BEGIN {
+        of_the_locale = "^(strto(d|f|ld)|atof|.*scanf|" \
+            "__ctype_.*|is(alpha|digit|space|upper|lower)|to(upper|lower))$"
+    }
     FILENAME ~ /symbols$/ {
-        if ($3 == "U" && $1 !~ /[[]decimal[.]o[]]/ &&
-            $2 ~ /^(strto(d|f|ld)|atof|.*scanf|__ctype_.*|is(alpha|digit|space|upper|lower))$/)
+        if ($3 == "U" && $1 !~ /[[]decimal[.]o[]]/ && $2 ~ of_the_locale)
             wrong($1 " " $2 " depends on the locale")
         next
     }
@@ -97,7 +101,8 @@ claims_are_paired() {
     awk '
     function wrong(where, what) { print where ": " what; bad = 1 }
     FILENAME ~ /pages$/ {
-        if ($1 in where) wrong($2, $1 " is also stated in " where[$1] "; number it anew")
+        if ($1 in where)
+            wrong($2, $1 " is also stated in " where[$1] "; number it anew")
         where[$1] = $2; how[$1] = $3; next
     }
     { tested[$1] = $2 }
@@ -107,7 +112,8 @@ claims_are_paired() {
     END {
         for (name in where) {
             if (how[name] == "argued" && name in tested)
-                wrong(where[name], name " is asserted in " tested[name] "; drop (argued)")
+                wrong(where[name], name " is asserted in " tested[name] \
+                    "; drop (argued)")
             if (how[name] == "asserted" && !(name in tested))
                 wrong(where[name], name " is asserted by no test; add CLAIM(\"" name \
                     "\", ...), or write (argued) after the name")
@@ -135,9 +141,11 @@ errata_are_paired() {
         for (e in where) {
             promised = test[e] != "planned" && test[e] != "argued"
             if (promised && index(asserted[e] " ", " " test[e] " ") == 0)
-                wrong(where[e], e " is not asserted in " test[e] "; add CLAIM(\"" e "\", ...)")
+                wrong(where[e], e " is not asserted in " test[e] \
+                    "; add CLAIM(\"" e "\", ...)")
             if (!promised && e in asserted)
-                wrong(where[e], e " is asserted in" asserted[e] "; name it in the last column")
+                wrong(where[e], e " is asserted in" asserted[e] \
+                    "; name it in the last column")
         }
         exit bad
     }' "$scratch/errata" "$scratch/tests"
@@ -226,14 +234,19 @@ weave_check() { "$build/weave" --check; }
 say_check() { "${0%/*}/book/say.sh" "$build" --check; }
 deps() { "$build/deps"; }
 
-check "the pages quote what the sources say, and their references lead somewhere" weave_check
+check "the pages quote what the sources say, and their references lead somewhere" \
+    weave_check
 check "the pages show the steps that the algorithms take" say_check
 check "lib, chapters and programs include only what they may" deps
 check "the library has no writable globals" library_has_no_writable_globals
-check "what the library reads and writes is the same in every locale" library_asks_no_locale
-check "each claim of a page is asserted by a test, and the other way round" claims_are_paired
-check "each erratum with a witness has a test, and the other way round" errata_are_paired
-check "the map of the notes has every test, and code for all that stands" map_is_complete
+check "what the library reads and writes is the same in every locale" \
+    library_asks_no_locale
+check "each claim of a page is asserted by a test, and the other way round" \
+    claims_are_paired
+check "each erratum with a witness has a test, and the other way round" \
+    errata_are_paired
+check "the map of the notes has every test, and code for all that stands" \
+    map_is_complete
 check "the names in the glossary exist" glossary_names_exist
 check "every picture is shown on its page" pictures_are_shown
 check "every picture is what its program draws" pictures_are_current

@@ -141,11 +141,11 @@ static bool
 is_c11_header(const char *name)
 {
     static const char *const c11[] = {
-        "assert.h", "complex.h", "ctype.h", "errno.h", "fenv.h", "float.h", "inttypes.h",
-        "iso646.h", "limits.h", "locale.h", "math.h", "setjmp.h", "signal.h", "stdalign.h",
-        "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h", "stdint.h", "stdio.h",
-        "stdlib.h", "stdnoreturn.h", "string.h", "tgmath.h", "threads.h", "time.h",
-        "uchar.h", "wchar.h", "wctype.h",
+        "assert.h", "complex.h", "ctype.h", "errno.h", "fenv.h", "float.h",
+        "inttypes.h", "iso646.h", "limits.h", "locale.h", "math.h", "setjmp.h",
+        "signal.h", "stdalign.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
+        "stdint.h", "stdio.h", "stdlib.h", "stdnoreturn.h", "string.h", "tgmath.h",
+        "threads.h", "time.h", "uchar.h", "wchar.h", "wctype.h",
     };
     for (size_t k = 0; k < sizeof c11 / sizeof *c11; k++)
         if (strcmp(name, c11[k]) == 0)
@@ -202,8 +202,8 @@ check_rules(void)
         const char *what = fault(i);
         if (what == NULL)
             continue;
-        fprintf(stderr, "%s:%d: %s: %s\n", tree.file.gl_pathv[i->from], i->line, i->path,
-                what);
+        fprintf(stderr, "%s:%d: %s: %s\n", tree.file.gl_pathv[i->from], i->line,
+                i->path, what);
         faults++;
     }
     return faults;
@@ -233,7 +233,8 @@ check_cycles(void)
     } while (left < before);
     for (size_t f = 0; f < tree.file.gl_pathc; f++)
         if (!done[f])
-            fprintf(stderr, "%s:1: includes itself, or a file that does; cut the circle\n",
+            fprintf(stderr,
+                    "%s:1: includes itself, or a file that does; cut the circle\n",
                     tree.file.gl_pathv[f]);
     free(done);
     return left;

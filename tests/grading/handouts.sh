@@ -1,9 +1,9 @@
 #!/bin/sh
 # handouts.sh BUILD - the handout of each week keeps its promises.
 #
-# tools/handout sees to that itself: untouched it scores 0, with the reference put back all
-# points, and nothing of a solution is left. Prints a line for each week, and fails if
-# one is refused, or if a section has no checker.
+# tools/handout sees to that itself: untouched it scores 0, with the reference put back
+# all points, and nothing of a solution is left. Prints a line for each week, and fails
+# if one is refused, or if a section has no checker.
 set -u
 build=${1:?usage: tests/grading/handouts.sh BUILD, in the root of the project}
 tree=$build/handouts.tree

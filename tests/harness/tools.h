@@ -1,7 +1,7 @@
 /* tools.h - tests that run the project's tools on files that they have written.
  *
- * A test program is BUILD/test/NAME and starts in the project's root; it may go to other
- * folders.
+ * A test program is BUILD/test/NAME and starts in the project's root; it may go to
+ * other folders.
  */
 #ifndef TESTS_TOOLS_H
 #define TESTS_TOOLS_H

@@ -28,14 +28,15 @@ static const char usage[] =
     "  DISTRIBUTION, NAME   only these, of those below\n"
     "\n"
     "Every run is a process of its own. All take turns. What counts is the processor\n"
-    "time of the program itself (user), the least of all runs; the median and the time\n"
-    "on the wall stand beside it. The memory is what is held beyond the points, per\n"
-    "point. Answers are certified off the clock; for more than 100000 points, only\n"
-    "those of the program's default algorithm, for more than 20000000, none.\n"
+    "time of the program itself (user), the least of all runs; the median and the\n"
+    "time on the wall stand beside it. The memory is what is held beyond the points,\n"
+    "per point. Answers are certified off the clock; for more than 100000 points,\n"
+    "only those of the program's default algorithm, for more than 20000000, none.\n"
     "The aims of the project are lines PASS or FAIL at the end.\n"
     "\n"
     "Exit status: 0 all has been measured, or stopped at a limit; 1 an algorithm has\n"
-    "failed or is wrong (a peer may: then its line says so); 2 the program cannot run.\n";
+    "failed or is wrong (a peer may: then its line says so); 2 the program cannot\n"
+    "run.\n";
 
 _Noreturn void
 refuse(const char *sentence, const char *which)

@@ -1,9 +1,9 @@
 #!/bin/sh
 # peers.sh BUILD - builds what the algorithms are compared with, as far as it is there.
 #
-# Each is a program in BUILD/bench/peers/; where its library is not installed, a sentence
-# says which of Debian's packages adds it. CC, CXX and CFLAGS are those of `make bench`,
-# which has made the objects that all of them share.
+# Each is a program in BUILD/bench/peers/; where its library is not installed, a
+# sentence says which of Debian's packages adds it. CC, CXX and CFLAGS are those of
+# `make bench`, which has made the objects that all of them share.
 set -eu
 
 if [ $# -ne 1 ]; then

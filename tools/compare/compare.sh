@@ -3,9 +3,9 @@
 #
 # First the questions are counted. They are the same on every machine, so the table is
 # part of the project: chapters/3.7_divide_and_conquer/comparison.csv is written anew,
-# and `make figures` draws its pictures. Then the times are measured, as multiples of the
-# time that sorting the same points takes: a table and a picture in BUILD/compare. Both
-# are printed as the page shows them.
+# and `make figures` draws its pictures. Then the times are measured, as multiples of
+# the time that sorting the same points takes: a table and a picture in BUILD/compare.
+# Both are printed as the page shows them.
 #
 # The environment may say COMPARE_TIMES=no (only count), and COMPARE_MOST: no more
 # points than these are timed (262144).
@@ -43,9 +43,11 @@ NR > 1 {
     seen[$1]; seen[$3]
     ratio[$3, $1, $2] = $6
 }
-function cells(i, n,   k, line) { # "-": not tried, or given up
-    for (k = 1; k <= distributions; k++)
-        line = line " " ((who[i], of[k], n) in ratio ? ratio[who[i], of[k], n] : "-") " |"
+function cells(i, n,   k, line, at) { # "-": not tried, or given up
+    for (k = 1; k <= distributions; k++) {
+        at = who[i] SUBSEP of[k] SUBSEP n
+        line = line " " (at in ratio ? ratio[at] : "-") " |"
+    }
     return line
 }
 function table(n,   i, head) {

@@ -3,9 +3,9 @@
  * Needs: chapters/contents.h, tools/tri/tri.h.
  *
  * These are the rows of the table of algorithms that give Delaunay triangulations, with
- * the default options, whatever rows there are; and two that the notes speak of and that
- * differ from a row by an option: Lawson's insertion with a walk from the point before,
- * and divide and conquer with alternating cuts.
+ * the default options, whatever rows there are; and two that the notes speak of and
+ * that differ from a row by an option: Lawson's insertion with a walk from the point
+ * before, and divide and conquer with alternating cuts.
  */
 #ifndef TOOLS_COMPARE_CONTESTANTS_H
 #define TOOLS_COMPARE_CONTESTANTS_H

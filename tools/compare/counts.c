@@ -36,7 +36,8 @@ print_counts(const char *of, const contestant *c, const point2 *points, uint32_t
            (unsigned long long)asked.compare_along,
            (unsigned long long)asked.orient2d, (unsigned long long)asked.incircle);
     fflush(stdout);
-    return asked.compare_along + asked.orient2d + asked.incircle <= TOO_MANY * (uint64_t)n;
+    return asked.compare_along + asked.orient2d + asked.incircle <=
+           TOO_MANY * (uint64_t)n;
 }
 
 /* All algorithms on one distribution. */

@@ -209,7 +209,8 @@ weave_page(const char *path, mode what)
         fprintf(out, "%s\n", line);
         fenced ^= begins_with(line, "```");
         if (fenced && strcmp(line, "```c") == 0)
-            complain(path, i, "put the address of this code above it: <!-- code: ... -->");
+            complain(path, i,
+                     "put the address of this code above it: <!-- code: ... -->");
         if (!fenced && what == CHECK)
             check_references(path, i, line);
         if (!fenced && begins_with(line, "<!-- code:"))
