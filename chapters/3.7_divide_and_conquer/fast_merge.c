@@ -2,8 +2,8 @@
  *
  * The names of the steps are those of merge.c. What is faster: to take a triangle away
  * is to unlink one edge, and to make one is to link one; the points lie in the order of
- * their numbers; and all questions about the rising edge lr are asked as seen from l,
- * so that they share their arithmetic.
+ * their numbers; and how a site sees the rising edge lr is computed once, for all
+ * questions about them.
  */
 #include "chapters/3.7_divide_and_conquer/fast_questions.h"
 
@@ -205,20 +205,17 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
     link_outside(run, lr ^ 1);
     run->site[l].edge = lr;
     for (;;) {
-        point2 eye = fast_at(run, l);
-        fast_seen rs = fast_see(eye, (fast_seen){0}, fast_at(run, r));
-
         halfedge_id ly = edge[lr].ccw;                          // Step 3
         uint32_t y = edge[ly ^ 1].origin;
-        fast_seen ys = fast_see(eye, rs, fast_at(run, y));
+        fast_view ys = fast_look(run, y, l, r);
         bool left = y != r && fast_is_above(run, l, r, y, ys);
         while (left) {
             halfedge_id lz = edge[ly].ccw;
             uint32_t z = edge[lz ^ 1].origin;
             if (z == r)
                 break;
-            fast_seen zs = fast_see(eye, rs, fast_at(run, z));
-            if (!fast_is_inside(run, l, r, y, z, rs, ys, zs))
+            fast_view zs = fast_look(run, z, l, r);
+            if (!fast_is_inside(run, l, r, y, z, ys, zs))
                 break;
             delete_edge(run, pool, ly);
             ly = lz;
@@ -228,15 +225,15 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
 
         halfedge_id rx = run->cw[lr ^ 1];                       // Step 4
         uint32_t x = edge[rx ^ 1].origin;
-        fast_seen xs = fast_see(eye, rs, fast_at(run, x));
+        fast_view xs = fast_look(run, x, l, r);
         bool right = x != l && fast_is_above(run, l, r, x, xs);
         while (right) {
             halfedge_id rz = run->cw[rx];
             uint32_t z = edge[rz ^ 1].origin;
             if (z == l)
                 break;
-            fast_seen zs = fast_see(eye, rs, fast_at(run, z));
-            if (!fast_is_inside(run, l, r, x, z, rs, xs, zs))
+            fast_view zs = fast_look(run, z, l, r);
+            if (!fast_is_inside(run, l, r, x, z, xs, zs))
                 break;
             delete_edge(run, pool, rx);
             rx = rz;
@@ -246,7 +243,7 @@ fast_merge(const fast_run *run, fast_pool *pool, uint32_t v, uint32_t w)
 
         if (!left && !right)                                    // Step 5
             break;
-        if (!left || (right && fast_is_inside(run, l, r, y, x, rs, ys, xs))) { // Step 6
+        if (!left || (right && fast_is_inside(run, l, r, y, x, ys, xs))) { // Step 6
             halfedge_id lx = new_edge(run, pool, l, x);
             link_after(run, lr, lx);
             link_after(run, run->cw[rx ^ 1], lx ^ 1);

@@ -47,7 +47,7 @@ typedef struct fast_run {
     fast_edge *edge;
     halfedge_id *cw; /* half-edge -> the next one clockwise around the origin */
     double sure_turn, sure_circle;
-    double whole_turn, whole_circle;
+    double whole_turn, whole_circle, twice_whole_circle;
 } fast_run;
 
 /* The half-edges of a part that are not in use. Those that have been: a list, linked by

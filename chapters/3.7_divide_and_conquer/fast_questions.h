@@ -22,10 +22,9 @@ void fast_bounds(fast_run *run, double width, double height, double unit);
 /* The sign of orient2d, when `det`, which is it but for roundings, is not sure. */
 int fast_near_turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r, double det);
 
-/* Does q lie strictly inside the circle of l, r and p, when `det` is not sure? `lifts` is
- * the sum of the squared lengths of which it was made. */
+/* Does q lie strictly inside the circle of l, r and p, when `det` is not sure? */
 bool fast_near_circle(const fast_run *run, uint32_t l, uint32_t r, uint32_t p,
-                      uint32_t q, double det, double lifts);
+                      uint32_t q, double det);
 
 static inline point2
 fast_at(const fast_run *run, uint32_t site)
@@ -47,24 +46,25 @@ fast_turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r)
     return fast_near_turn(run, p, q, r, det);
 }
 
-/* ---- All questions about the rising edge lr are asked as seen from l. ---- */
+/* ---- Questions about the rising edge lr. ---- */
 
-/* Another site as seen from l: the vector to it, its squared length, and the cross
- * product of the vector to r with it. */
-typedef struct fast_seen {
-    double x, y, lift, turn;
-} fast_seen;
+/* How a site sees the edge from l to r: the dot and the cross product of the vectors to
+ * both ends. Their quotient is the cotangent of the angle under which it sees lr. */
+typedef struct fast_view {
+    double dot, turn;
+} fast_view;
 
-static inline fast_seen
-fast_see(point2 l, fast_seen r, point2 p)
+static inline fast_view
+fast_look(const fast_run *run, uint32_t p, uint32_t l, uint32_t r)
 {
-    double x = p.x - l.x, y = p.y - l.y;
-    return (fast_seen){x, y, x * x + y * y, r.x * y - r.y * x};
+    point2 eye = fast_at(run, p), a = fast_at(run, l), b = fast_at(run, r);
+    double ax = a.x - eye.x, ay = a.y - eye.y, bx = b.x - eye.x, by = b.y - eye.y;
+    return (fast_view){ax * bx + ay * by, ax * by - ay * bx};
 }
 
 /* Is p strictly left of the line from l to r? */
 static inline bool
-fast_is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, fast_seen ps)
+fast_is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, fast_view ps)
 {
     PREDICATE_COUNT(orient2d);
     if (ps.turn > run->sure_turn)
@@ -74,22 +74,20 @@ fast_is_above(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, fast_seen
     return fast_near_turn(run, l, r, p, ps.turn) > 0;
 }
 
-/* Does q lie strictly inside the circle of l, r and p? Requires: p is above lr. */
+/* Does q lie strictly inside the circle of l, r and p? From there it sees lr under a
+ * larger angle than p does, with a smaller cotangent; multiplied by the cross products,
+ * their difference is the incircle determinant (fast.P2). Requires: p is above lr. */
 static inline bool
 fast_is_inside(const fast_run *run, uint32_t l, uint32_t r, uint32_t p, uint32_t q,
-               fast_seen rs, fast_seen ps, fast_seen qs)
+               fast_view ps, fast_view qs)
 {
-    double det = ps.lift * qs.turn - qs.lift * ps.turn -
-                 rs.lift * (ps.x * qs.y - ps.y * qs.x);
-    if (det > run->sure_circle) {
-        PREDICATE_COUNT(incircle);
+    PREDICATE_COUNT(incircle);
+    double det = ps.dot * qs.turn - qs.dot * ps.turn;
+    if (det > run->sure_circle)
         return true;
-    }
-    if (det < -run->sure_circle) {
-        PREDICATE_COUNT(incircle);
+    if (det < -run->sure_circle)
         return false;
-    }
-    return fast_near_circle(run, l, r, p, q, det, rs.lift + ps.lift + qs.lift);
+    return fast_near_circle(run, l, r, p, q, det);
 }
 
 #endif
