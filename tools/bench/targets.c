@@ -1,4 +1,5 @@
 /* targets.c - what the project wants to reach, and whether it has been seen. */
+#include "tools/bench/graphs.h"
 #include "tools/bench/hard.h"
 #include "tools/bench/pair.h"
 
@@ -204,6 +205,32 @@ look_at_hard_inputs(const bench *b)
     }
 }
 
+/* Each graph on uniform points, and on the other inputs the dearest of the four. */
+static void
+look_at_graphs(const bench *b)
+{
+    const uint32_t n = 1000000;
+    char what[100];
+    for (const distribution *d = distributions; d->name != NULL; d++) {
+        double ratio[GRAPHS];
+        if (!measure_graphs(b, d, n, ratio)) {
+            printf("FAIL  the graphs of %lu points of %s: stopped\n",
+                   (unsigned long)n, d->name);
+            continue;
+        }
+        bool uniform = d == distributions; /* the first */
+        int dearest = 0;
+        for (int g = 0; g < GRAPHS; g++)
+            dearest = ratio[g] > ratio[dearest] ? g : dearest;
+        for (int g = 0; g < GRAPHS; g++) {
+            snprintf(what, sizeof what, "%s %lu: %s, triangulated, over sorting",
+                     d->name, (unsigned long)n, graph_name[g]);
+            if (uniform || g == dearest)
+                at_most(what, ratio[g], uniform ? 12 : 30);
+        }
+    }
+}
+
 /* ---- All of them. ---- */
 
 void
@@ -211,6 +238,7 @@ print_targets(const bench *b)
 {
     look_at_hard_inputs(b);
     look_at_table(b);
+    look_at_graphs(b);
     compare_with_text(b);
     compare_threads(b);
 }
