@@ -2,6 +2,7 @@
  * Figure 10 runs under an observer, and captions say what the tests answered.
  */
 #include "chapters/2.3_line_sweep/sweep.h"
+#include "chapters/3.1_voronoi_diagrams/voronoi.h"
 #include "chapters/3.4_primitives/predicates.h"
 #include "chapters/3.5_edge_flips/flip_picture.h"
 #include "chapters/3.5_edge_flips/flips.h"
@@ -328,6 +329,97 @@ draw_steps(FILE *file)
     mesh_free(&m);
 }
 
+/* ---- The proof of Theorem 3: a segment, and the power of its end. ---- */
+
+/* The side through which the segment from x to s leaves the triangle of e; NONE
+ * if it ends in there. Requires: it meets no vertex but s, and the triangle. */
+static halfedge_id
+way_out(const mesh *m, const point2 *points, halfedge_id e, point2 x, point2 s)
+{
+    for (int i = 0; i < 3; i++) {
+        if (orient2d(x, s, points[mesh_origin(m, e)]) < 0 &&
+            orient2d(x, s, points[mesh_dest(m, e)]) > 0)
+            return e;
+        e = mesh_next(e);
+    }
+    return NONE;
+}
+
+/* A point inside the triangle of e. */
+static point2
+centroid(const mesh *m, const point2 *points, halfedge_id e)
+{
+    point2 a = points[mesh_origin(m, e)], b = points[mesh_dest(m, e)];
+    point2 c = points[mesh_apex(m, e)];
+    return (point2){(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
+
+static double
+square_distance(point2 p, point2 q)
+{
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+}
+
+/* The power of s with respect to the circle of a, b, c, for people: no -0. */
+static double
+power_to_a_tenth(point2 a, point2 b, point2 c, point2 s)
+{
+    point2 centre;
+    must(circumcentre(a, b, c, &centre), "circumcentre");
+    double power = square_distance(s, centre) - square_distance(a, centre);
+    return round(power * 10) / 10 + 0.0;
+}
+
+static void
+draw_lemma(FILE *file)
+{
+    const point2 *p = steps_points;
+    const point2 s = p[2];
+    const svg_box box = {{0, -0.2}, {8.8, 6.9}};
+    svg page;
+    svg_begin(&page, file, (svg_layout){3, 2, 260, 190, 2},
+              "The power of a site falls from triangle to triangle",
+              "A segment leads from a point x in a Delaunay triangle to a site s, "
+              "through four more triangles. Each panel shows one of them with its "
+              "circle. The power of s with respect to these circles becomes smaller "
+              "and smaller, and is zero for the last one, which has its corner at s.");
+    mesh m;
+    must(lawson_triangulate(p, STEPS_POINTS, NULL, &m), "lawson_triangulate");
+
+    halfedge_id e = find_edge(&m, 8, 6);
+    quadrilateral q = around(&m, p, way_out(&m, p, e, centroid(&m, p, e), s));
+    svg_panel(&page, box, STEPS_POINTS,
+              "two circles: their powers are\nequal on the line of the edge");
+    svg_circle(&page, q.a, q.b, q.c, SVG_GOOD);
+    svg_circle(&page, q.a, q.b, q.d, SVG_GOOD);
+    svg_mesh(&page, p, &m);
+    svg_segment(&page, (point2){3 * q.a.x - 2 * q.b.x, 3 * q.a.y - 2 * q.b.y},
+                (point2){3 * q.b.x - 2 * q.a.x, 3 * q.b.y - 2 * q.a.y}, SVG_FAINT);
+    svg_segment(&page, q.a, q.b, SVG_NEW);
+    svg_points(&page, p, STEPS_POINTS, SVG_PLAIN);
+
+    const point2 x = centroid(&m, p, e);
+    for (int i = 0; e != NONE; i++) {
+        q = around(&m, p, e);
+        char caption[80];
+        snprintf(caption, sizeof caption, "t%d: the power of s is %.1f", i,
+                 power_to_a_tenth(q.a, q.b, q.c, s));
+        svg_panel(&page, box, STEPS_POINTS, caption);
+        svg_triangle(&page, q.a, q.b, q.c, SVG_NEW);
+        svg_circle(&page, q.a, q.b, q.c, SVG_GOOD);
+        svg_mesh(&page, p, &m);
+        svg_segment(&page, x, s, SVG_STRONG);
+        svg_points(&page, p, STEPS_POINTS, SVG_PLAIN);
+        svg_points(&page, &s, 1, SVG_STRONG);
+        svg_label(&page, x, "x", SVG_STRONG);
+        svg_label(&page, s, "s", SVG_STRONG);
+        halfedge_id out = way_out(&m, p, e, x, s);
+        e = out == NONE ? NONE : mesh_twin(&m, out);
+    }
+    svg_end(&page);
+    mesh_free(&m);
+}
+
 /* ---- The ladder. ---- */
 
 enum { RUNGS = 5, LADDER_POINTS = 2 * RUNGS + 2 };
@@ -547,6 +639,7 @@ static const figure figures[] = {
     {"flip", draw_flip},
     {"fig11_six_angles", draw_angles},
     {"fig10_steps", draw_steps},
+    {"thm3_power", draw_lemma},
     {"ladder", draw_ladder},
     {"nothing_flippable", draw_not_flippable},
     {"local_not_global", draw_local_only},

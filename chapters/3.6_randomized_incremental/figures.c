@@ -307,6 +307,17 @@ draw_doors(FILE *file)
 /* ---- Figure 15: two dice. ---- */
 
 static void
+outline(svg *page, svg_box box, svg_style style)
+{
+    point2 a = box.min, b = {box.max.x, box.min.y}, c = box.max;
+    point2 d = {box.min.x, box.max.y};
+    svg_segment(page, a, b, style);
+    svg_segment(page, b, c, style);
+    svg_segment(page, c, d, style);
+    svg_segment(page, d, a, style);
+}
+
+static void
 draw_dice(FILE *file)
 {
     rational p[36];
@@ -343,7 +354,7 @@ draw_dice(FILE *file)
         double x = w / 6 + 1, y = w % 6 + 1, r = 0.42;
         svg_box box = {{x - r, y - r}, {x + r, y + r}};
         if (odd[w])
-            svg_rectangle(&page, box, SVG_NEW);
+            outline(&page, box, SVG_NEW);
         if (ten[w])
             svg_rectangle(&page,
                           (svg_box){{x - r / 2, y - r / 2}, {x + r / 2, y + r / 2}},
