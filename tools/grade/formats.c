@@ -92,11 +92,11 @@ static const char *
 instant_of(const char *tag)
 {
     static const char form[] = "dddd-dd-ddTdd-dd-ddZ";
-    const char *slash = strchr(tag, '/');
-    char *instant = part_of(slash != NULL ? slash + 1 : tag, sizeof form - 1);
-    for (size_t i = 0; i < sizeof form - 1; i++)
-        if (form[i] == 'd' ? instant[i] < '0' || instant[i] > '9' : instant[i] != form[i])
+    const char *slash = strchr(tag, '/'), *text = slash != NULL ? slash + 1 : tag;
+    for (size_t i = 0; i < sizeof form - 1; i++) /* a shorter text differs at its end */
+        if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i])
             return NULL;
+    char *instant = part_of(text, sizeof form - 1);
     instant[13] = instant[16] = ':';
     return instant;
 }
