@@ -137,7 +137,8 @@ prepare(void)
 }
 
 /* --supply: 2.3-c is right, and rests on a 2.3-b that is wrong. For root this must work in a
- * folder that nobody else may look into: in the jail he is nobody. */
+ * folder that nobody else may look into: in the jail he is nobody. (A program with the
+ * address sanitizer cannot start there: then splice is another, without.) */
 static void
 one_mistake_is_not_punished_twice(void)
 {
@@ -146,14 +147,16 @@ one_mistake_is_not_punished_twice(void)
     int status = shell("mkdir -m 700 $d/closed && mkdir $d/closed/build && "
                        "cp -R chapters docs $d/closed && "
                        "cp $build/grade $build/jail $build/splice $d/closed/build && "
+                       "if nm $build/splice 2>$d/err | grep -q __asan_init; then "
+                       "  cd tools/handout && ${CC-cc} -O1 -w -D_POSIX_C_SOURCE=200809L "
+                       "  -I../.. basics.c exercises.c rewrite.c scan.c splice.c "
+                       "  -o $d/closed/build/splice; fi && "
                        "cd $d/closed && build/grade --base $d/section --supply "
                        "--format text -o $d/supplied $d/class/wrong_b >$d/out 2>&1 && "
                        "grep -q '^  0/4  2.3-b chain  *fail ' $d/out && "
-                       "grep -q '^  6/6  2.3-c triangulation  *pass .*others* exercises' $d/out");
-    /* A program with the address sanitizer, as splice is then, cannot start in the jail. */
-    bool sanitized = shell("nm $build/splice 2>$d/err | grep -q __asan_init") == 0;
-    CLAIM("grade.supply", status == 0 || sanitized, "status %d: %s", status,
-          read_scratch("out").text);
+                       "grep -q '^  6/6  2.3-c triangulation  *pass .*others* exercises' "
+                       "$d/out");
+    CLAIM("grade.supply", status == 0, "status %d: %s", status, read_scratch("out").text);
     status = shell("cd $d && $build/grade --base $d/section --supply $d/class/wrong_b "
                    ">$d/out 2>&1");
     CLAIM("grade.supply", status == 1 && has("out", "run it in its root"),
