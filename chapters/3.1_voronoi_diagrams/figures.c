@@ -487,12 +487,57 @@ draw_sibson(FILE *file)
     discard(&without);
 }
 
+/* Two triangles of four sites: 012 and 023, or 013 and 123. */
+static void
+draw_two_triangles(svg *page, const point2 *p, bool with_02, const char *caption)
+{
+    vertex_id one[2][3] = {{0, 1, 2}, {0, 2, 3}}, two[2][3] = {{0, 1, 3}, {1, 2, 3}};
+    svg_panel(page, wider(svg_box_of(p, 4), 0.6), 4, caption);
+    svg_triangles(page, p, (triangle_list){2, with_02 ? one : two}, SVG_PLAIN);
+    svg_segment(page, p[with_02 ? 0 : 1], p[with_02 ? 2 : 3], SVG_NEW);
+    svg_points(page, p, 4, SVG_PLAIN);
+    svg_label_points(page, p, 4);
+}
+
+/* P17 to P19 of the page. */
+static void
+draw_survey(FILE *file)
+{
+    static const point2 angle[] = {{0, 0}, {2, 0}, {3, 1}, {0, 5}};
+    static const point2 length[] = {{0, 0}, {4, 1}, {5, 4}, {5, 5}};
+    static const point2 acute[] = {{0, 0}, {4, 0}, {5.5, 3.5}, {2, 3}, {-1.5, 3.5},
+                                   {2, 6.5}};
+    vertex_id corner[][3] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {2, 5, 3}, {3, 5, 4}};
+    triangle_list list = {sizeof corner / sizeof corner[0], corner};
+    svg page;
+    svg_begin(&page, file, (svg_layout){3, 2, 240, 210, 2},
+              "What the Delaunay triangulation is not, and what it is",
+              "Four sites whose Delaunay triangulation has an angle of 135 degrees; with "
+              "the other diagonal the largest is 98. Four sites whose Delaunay diagonal "
+              "is the longer one. A triangulation without obtuse angles, whose circles "
+              "are empty.");
+    draw_two_triangles(&page, angle, true, "Delaunay:\nan angle of 135 degrees");
+    svg_angle(&page, angle[1], angle[2], angle[0], "135", SVG_BAD);
+    draw_two_triangles(&page, angle, false, "not Delaunay:\nthe largest angle is 98");
+    svg_angle(&page, angle[2], angle[3], angle[1], "98", SVG_GOOD);
+    svg_panel(&page, wider(svg_box_of(acute, 6), 0.6), 6,
+              "no obtuse angle:\nall circles are empty");
+    for (uint32_t t = 0; t < list.count; t++)
+        svg_circle(&page, acute[corner[t][0]], acute[corner[t][1]],
+                   acute[corner[t][2]], SVG_FAINT);
+    svg_triangles(&page, acute, list, SVG_PLAIN);
+    svg_points(&page, acute, 6, SVG_PLAIN);
+    draw_two_triangles(&page, length, true, "Delaunay:\nthe longer diagonal, 6.4");
+    draw_two_triangles(&page, length, false, "not Delaunay:\nthe shorter one, 4.1");
+    svg_end(&page);
+}
+
 static const figure figures[] = {
     {"fig4_pattern", draw_pattern},  {"fig5_eight_sites", draw_eight_sites},
     {"fig6_dual", draw_dual},        {"half_planes", draw_half_planes},
     {"degenerate", draw_degenerate}, {"ambiguity", draw_ambiguity},
     {"perturbed", draw_perturbed},   {"walk", draw_walk},
-    {"sibson", draw_sibson},
+    {"sibson", draw_sibson},         {"survey", draw_survey},
 };
 
 int
