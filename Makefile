@@ -175,9 +175,10 @@ $(BUILD)/test/%: $(BUILD)/posix-counted/tests/%.o \
 	@$(SAY) "  link  $@"
 	$(CC) $(CFLAGS) $^ -o $@ $(LIBS)
 
-# This one asks the grader's certifiers.
-$(BUILD)/test/tools_certify: $(patsubst %,$(BUILD)/posix-counted/tools/checks/%.o,\
-  cases certify complexes diagrams meshes plane trees)
+# These ask the grader's certifiers.
+$(filter $(BUILD)/test/tools_certify%,$(TESTS:%=$(BUILD)/test/%)): \
+  $(patsubst %,$(BUILD)/posix-counted/tools/checks/%.o,cases certify complexes diagrams \
+  lifted meshes plane replay sphere trees turns)
 
 # And this one those of the benchmark.
 $(BUILD)/test/tools_bench: $(BUILD)/posix-counted/tools/bench/certify.o | $(BUILD)/bench/bench

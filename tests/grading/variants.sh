@@ -26,10 +26,26 @@ try() {
     fi
 }
 
+# In the tree of the last variant: EXERCISE FILE SED-SCRIPT WORDS. A wrong solution, which
+# fails, and is told why in these words.
+refuse() {
+    sed "$3" "$2" >"$tree/$2"
+    if ! (cd "$tree" && make -s CFLAGS=-O0 check EX="$1") >"$build/variants.txt" 2>&1 &&
+        grep -qF -- "$4" "$build/variants.txt"
+    then
+        echo "ok     - $1: $4"
+    else
+        echo "not ok - $1: $4"
+        sed 's/^/  /' "$build/variants.txt"
+        status=1
+    fi
+}
+
 sweep=chapters/2.3_line_sweep/sweep.c
 circle=chapters/3.2_empty_circumcircle/empty_circle.c
 tree_of=chapters/3.2_empty_circumcircle/emst.c
 exact=chapters/3.4_primitives/exact.c
+flips=chapters/3.5_edge_flips/flips.c
 try 2.3-a from-right $sweep '/^merge_runs/,/^}/s/<= 0/>= 0/'
 try 2.3-d clockwise $sweep '/^hull_vertices/,/^}/{
     s/e = mesh_hull_next(m, e);/e = path ? mesh_hull_next(m, e) : mesh_hull_prev(m, e);/
@@ -46,5 +62,15 @@ try 3.2-b metric $tree_of '/^emst/,/^{/s/^{/{\
     for (uint32_t i = 0; i < m->points; i++)\
         scaled[i] = (point2){points[i].x, 2 * points[i].y};\
     points = scaled;/'
+first='/^edge_stack_pop/,/^}/{
+    s/\*ab = L->entry\[--L->size\];/*ab = L->entry[0];\
+    L->size--;\
+    for (uint32_t i = 0; i < L->size; i++)\
+        L->entry[i] = L->entry[i + 1];/
+}'
+try 3.5-c queue $flips "$first"
+refuse 3.5-c $flips '' 'has waited longer than the one popped'
+refuse 3.5-c $flips "$first
+/^push_link/,/^}/s/edge_stack_push(L, mesh_prev(dc));//" 'does not wait after a flip beside it'
 rm -rf "$tree"
 exit $status

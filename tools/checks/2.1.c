@@ -52,6 +52,23 @@ draw(session *s, uint32_t below)
     return random_below(trial_random(s), below);
 }
 
+/* As a text, as far as there is room: 0-1-2 0-1 0 ... */
+static void
+describe(const face *f, uint32_t count, char *text, size_t room)
+{
+    size_t at = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; i < count && at + 50 < room; i++) {
+        at += (size_t)snprintf(text + at, room - at, "%s%s", i > 0 ? " " : "",
+                               f[i].dimension < 0 ? "(empty)" : "");
+        for (int k = 0; k <= f[i].dimension; k++)
+            at += (size_t)snprintf(text + at, room - at, "%s%lu", k > 0 ? "-" : "",
+                                   (unsigned long)f[i].vertex[k]);
+        if (at + 50 >= room)
+            snprintf(text + at, room - at, " ...");
+    }
+}
+
 /* Some simplex over vertices 0 .. 9, of this dimension. */
 static face
 draw_face(session *s, int dimension)
@@ -67,11 +84,12 @@ draw_face(session *s, int dimension)
 
 /* ---- 2.1-a: the faces of a simplex. ---- */
 
+/* No points: a simplex is a set of numbers here. */
 static face
-ask_faces(session *s, const site *p, uint32_t n, face_list *list, bool read)
+ask_faces(session *s, face_list *list, bool read)
 {
     face f = draw_face(s, (int)draw(s, 5) - 1);
-    begin_case(s, 'a', p, n);
+    begin_case(s, 'a', NULL, 0);
     give_face(s, &f);
     list->count = 0;
     if (!ask(s))
@@ -94,9 +112,12 @@ static void
 faces_are_counted(session *s, const site *p, uint32_t n)
 {
     face_list list;
-    face f = ask_faces(s, p, n, &list, false);
+    char text[80];
+    (void)p, (void)n;
+    face f = ask_faces(s, &list, false);
+    describe(&f, 1, text, sizeof text);
     expect(s, failed(s) || list.count == count_faces(f.dimension),
-           "a simplex of dimension %d has %lu faces, and not %lu", f.dimension,
+           "the simplex %s, of dimension %d, has %lu faces, and not %lu", text, f.dimension,
            (unsigned long)count_faces(f.dimension), (unsigned long)list.count);
 }
 
@@ -104,17 +125,22 @@ static void
 faces_are_all(session *s, const site *p, uint32_t n)
 {
     face_list list;
-    face f = ask_faces(s, p, n, &list, true);
+    char whole[80], text[80];
+    (void)p, (void)n;
+    face f = ask_faces(s, &list, true);
+    describe(&f, 1, whole, sizeof whole);
     for (uint32_t i = 0; i < list.count && !failed(s); i++) {
+        describe(&list.item[i], 1, text, sizeof text);
         expect(s, face_is_part(&list.item[i], &f),
-               "face %lu has a vertex that the simplex has not", (unsigned long)i);
+               "%s is listed, and has a vertex that %s has not", text, whole);
         for (uint32_t j = 0; j < i; j++)
             expect(s, !face_equals(&list.item[i], &list.item[j]),
-                   "faces %lu and %lu are the same", (unsigned long)j, (unsigned long)i);
+                   "faces %lu and %lu of %s are the same: %s", (unsigned long)j,
+                   (unsigned long)i, whole, text);
     }
     expect(s, failed(s) || list.count == count_faces(f.dimension),
-           "%lu of the %lu faces are listed", (unsigned long)list.count,
-           (unsigned long)count_faces(f.dimension));
+           "%lu of the %lu faces of %s are listed", (unsigned long)list.count,
+           (unsigned long)count_faces(f.dimension), whole);
 }
 
 /* ---- 2.1-b: is it a simplicial complex? ---- */
@@ -176,22 +202,41 @@ spoil(session *s, uint32_t n, face_list *list)
     }
 }
 
-/* As a text, as far as there is room: 0-1-2 0-1 0 ... */
+/* Draws the list, and not the triangulation from which it comes. */
 static void
-describe(const face_list *list, char *text, size_t room)
+show_list(session *s, const face_list *list)
 {
-    size_t at = 0;
-    text[0] = '\0';
-    for (uint32_t i = 0; i < list->count && at + 50 < room; i++) {
-        const face *f = &list->item[i];
-        for (int k = 0; k <= f->dimension; k++)
-            at += (size_t)snprintf(text + at, room - at, "%s%lu",
-                                   k > 0   ? "-"
-                                   : i > 0 ? " "
-                                           : "",
-                                   (unsigned long)f->vertex[k]);
-        if (at + 50 >= room)
-            snprintf(text + at, room - at, " ...");
+    keep_triangles(s, (triangle_list){0});
+    for (uint32_t i = 0; i < list->count; i++)
+        show_face(s, SVG_PLAIN, list->item[i].vertex,
+                  (uint32_t)list->item[i].dimension + 1);
+}
+
+/* Draws what is wrong: as few vertices as show it, and what is listed with no other. */
+static void
+show_fault(session *s, const site *p, uint32_t n, const face_list *list)
+{
+    bool marked[64];
+    uint32_t pair[64], count = 0;
+    for (int v = 0; v < 64; v++)
+        marked[v] = true;
+    for (uint32_t v = 0; v < n; v++) {
+        marked[v] = false;
+        if (faces_fault(p, n, list, marked) == NULL) {
+            marked[v] = true;
+            pair[count++] = v;
+            show_face(s, SVG_BAD, &v, 1);
+        }
+    }
+    if (count == 2) /* an edge that is missing, perhaps */
+        show_edge(s, SVG_BAD, pair[0], pair[1]);
+    for (uint32_t i = 0; i < list->count; i++) {
+        bool all = true;
+        for (int k = 0; k <= list->item[i].dimension; k++)
+            all = all && list->item[i].vertex[k] < n && marked[list->item[i].vertex[k]];
+        if (all)
+            show_face(s, SVG_BAD, list->item[i].vertex,
+                      (uint32_t)list->item[i].dimension + 1);
     }
 }
 
@@ -203,15 +248,18 @@ ask_complex(session *s, const site *p, uint32_t n, const face_list *list)
     begin_case(s, 'b', p, n);
     give_points(s);
     give_faces(s, list);
+    show_list(s, list);
     if (!ask(s))
         return false;
-    describe(list, text, sizeof text);
+    describe(list->item, list->count, text, sizeof text);
     const char *fault = fault_in(p, n, list);
     bool says = take_number(s, 0, 1, "the verdict") == 1;
     if (fault == NULL)
         expect(s, says, "the list %s is a complex, and is refuted", text);
     else
         expect(s, !says, "%s in the list %s, and it is accepted", fault, text);
+    if (failed(s) && fault != NULL)
+        show_fault(s, p, n, list);
     return !failed(s);
 }
 
@@ -219,20 +267,24 @@ ask_complex(session *s, const site *p, uint32_t n, const face_list *list)
 static void
 check_witness(session *s, const site *p, uint32_t n, const face_list *list)
 {
-    char text[200];
+    char text[200], named[60] = "";
+    size_t at = 0;
     bool marked[64] = {false};
     uint32_t witnesses = take_number(s, 0, 4, "the number of witnesses");
     for (uint32_t i = 0; i < witnesses; i++) {
         uint32_t v = take_number(s, 0, UINT32_MAX, "a witness");
-        if (v < n) {
+        if (v < n && !failed(s)) {
             marked[v] = true;
-            show_witness(s, v);
+            at += (size_t)snprintf(named + at, sizeof named - at, " %lu", (unsigned long)v);
+            show_face(s, SVG_NEW, &v, 1);
         }
     }
-    describe(list, text, sizeof text);
+    describe(list->item, list->count, text, sizeof text);
     expect(s, failed(s) || faces_fault(p, n, list, marked) != NULL,
-           "%s in the list %s, but the %lu witnesses do not show it",
-           fault_in(p, n, list), text, (unsigned long)witnesses);
+           "%s in the list %s, but the witnesses%s do not show it", fault_in(p, n, list),
+           text, witnesses > 0 ? named : " (there are none)");
+    if (failed(s))
+        show_fault(s, p, n, list);
 }
 
 /* First the complex, which is to be accepted, then the spoilt one. */
@@ -286,30 +338,35 @@ static void
 check_closure(session *s, const site *p, uint32_t n, bool once)
 {
     static face_list given, closure, expected;
-    given.count = draw(s, 7);
+    char list[100], text[80];
+    (void)p;
+    given.count = draw(s, 2 * n + 1);
     expected.count = 0;
     for (uint32_t i = 0; i < given.count; i++) {
         given.item[i] = draw_face(s, (int)draw(s, 4));
         faces_close(&expected, &given.item[i]);
     }
-    begin_case(s, 'c', p, n);
+    describe(given.item, given.count, list, sizeof list);
+    begin_case(s, 'c', NULL, 0);
     give_faces(s, &given);
     if (!ask(s))
         return;
     take_ok(s);
     take_faces(s, &closure, MOST_SIMPLICES);
-    for (uint32_t i = 0; i < expected.count && !failed(s); i++)
+    for (uint32_t i = 0; i < expected.count && !failed(s); i++) {
+        describe(&expected.item[i], 1, text, sizeof text);
         expect(s, face_is_listed(&closure, &expected.item[i]),
-               "a face of dimension %d with vertex %lu is missing",
-               expected.item[i].dimension, (unsigned long)expected.item[i].vertex[0]);
-    for (uint32_t i = 0; i < closure.count && !failed(s); i++)
+               "%s is missing in the closure of %s", text, list);
+    }
+    for (uint32_t i = 0; i < closure.count && !failed(s); i++) {
+        describe(&closure.item[i], 1, text, sizeof text);
         expect(s, face_is_listed(&expected, &closure.item[i]),
-               "a simplex of dimension %d is listed that is a face of none",
-               closure.item[i].dimension);
+               "%s is in the closure of %s, and is a face of none of them", text, list);
+    }
     if (once)
         expect(s, failed(s) || closure.count == expected.count,
-               "%lu simplices are listed, but only %lu are different",
-               (unsigned long)closure.count, (unsigned long)expected.count);
+               "%lu simplices are in the closure of %s, but only %lu are different",
+               (unsigned long)closure.count, list, (unsigned long)expected.count);
 }
 
 static void

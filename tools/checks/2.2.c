@@ -174,6 +174,9 @@ ask_about(session *s, char exercise, const drawing *d)
     give_number(s, d->edges);
     for (uint32_t h = 0; h < 2 * d->edges; h++)
         give_number(s, d->origin[h]);
+    keep_triangles(s, (triangle_list){0}); /* the drawing is drawn, and nothing else */
+    for (uint32_t k = 0; k < d->edges; k++)
+        show_edge(s, SVG_PLAIN, d->origin[2 * k], d->origin[2 * k + 1]);
     if (!ask(s))
         return false;
     uint32_t drawn = take_number(s, 0, 100, "the status of graph_from_drawing");
@@ -210,10 +213,11 @@ expect_number(session *s, const drawing *d, const char *what, uint32_t seen,
               uint32_t right)
 {
     expect(s, failed(s) || seen == right,
-           "%s is %lu, but of %lu vertices, %lu edges and %lu components the drawing "
-           "has %lu",
-           what, (unsigned long)seen, (unsigned long)d->vertices,
-           (unsigned long)d->edges, (unsigned long)d->components, (unsigned long)right);
+           "%s is %lu, and should be %lu: the drawing has %lu vertices, %lu edges and %lu "
+           "component%s",
+           what, (unsigned long)seen, (unsigned long)right, (unsigned long)d->vertices,
+           (unsigned long)d->edges, (unsigned long)d->components,
+           d->components == 1 ? "" : "s");
 }
 
 static void
@@ -266,6 +270,10 @@ take_parts(session *s, const drawing *d, uint32_t count[3], bool tree, bool cotr
         uint32_t a = d->origin[2 * k], b = d->origin[2 * k + 1];
         uint32_t part = take_number(s, 0, 2, "where an edge went");
         count[part]++;
+        if (part == (tree ? IN_TREE : IN_COTREE))
+            show_edge(s, SVG_NEW, a, b);
+        else if (part == IN_NEITHER && tree && cotree)
+            show_edge(s, SVG_BAD, a, b);
         bool cycle = (part == IN_TREE && tree && !join(vertex, a, b)) ||
                      (part == IN_COTREE && cotree &&
                       !join(walk, d->left[2 * k], d->left[2 * k + 1]));
@@ -292,8 +300,8 @@ check_parts(session *s, const site *p, uint32_t n, bool tree, bool cotree)
     take_parts(s, &d, count, tree, cotree);
     if (tree)
         expect(s, failed(s) || count[IN_TREE] == n - d.components,
-               "%lu edges are in the tree; a spanning tree of %lu vertices in %lu "
-               "components has %lu",
+               "%lu edges are in the tree; with %lu vertices in %lu components a spanning "
+               "tree has %lu",
                (unsigned long)count[IN_TREE], (unsigned long)n,
                (unsigned long)d.components, (unsigned long)(n - d.components));
     /* Isolated vertices have a walk too, which no dual edge reaches: each is the whole
@@ -331,7 +339,7 @@ enum { DIFFERENT = CASES_GENERAL | CASES_GRID | CASES_COCIRCULAR | CASES_CONVEX 
 const property properties[] = {
     {"2.2-a", "faces", "v, e and f are those of the drawing", "notes 2.2, Theorem 1",
      DIFFERENT, 16, 300, false, faces_are_counted},
-    {"2.2-a", "components", "So is the number of components",
+    {"2.2-a", "components", "The number of components is that of the drawing",
      "euler.h, euler_count; page 2.2, thm1.P6", DIFFERENT, 16, 300, false,
      components_are_counted},
     {"2.2-a", "hull", "h is the length of the walk along the outer face",

@@ -49,6 +49,8 @@ order_is_right(session *s, const site *p, uint32_t n)
     uint32_t before = 0;
     for (uint32_t i = 0; i < count && !failed(s); i++) {
         uint32_t v = take_number(s, 0, n - 1, "an index in order[]");
+        if (i > 0 && !failed(s))
+            show_edge(s, SVG_NEW, before, v);
         if (i > 0 && !failed(s) &&
             !expect(s, plane_along(d, p[before], p[v]) < 0,
                     "%lu is listed right before %lu, but a line that moves along (%ld,%ld) "
@@ -131,13 +133,15 @@ give_scene(session *s, const scene *sc)
         give_triangles(s, sc->before.list);
     else
         give_path(s, sc->before.path, sc->before.length);
+    show_path(s, sc->before.path, sc->before.length);
     give_number(s, sc->latest);
     give_number(s, sc->p);
 }
 
-/* How many hull edges p sees; those of a path count on the side towards p. */
+/* How many hull edges p sees; those of a path count on the side towards p. They are
+ * shown when the trial has failed. */
 static uint32_t
-count_seen(const scene *sc, const site *p)
+count_seen(session *s, const scene *sc, const site *p)
 {
     uint32_t count = 0;
     triangle_list list = sc->before.list;
@@ -145,17 +149,37 @@ count_seen(const scene *sc, const site *p)
     certify_twins(list, twin);
     for (halfedge_id e = 0; e < 3 * list.count; e++)
         if (twin[e] == NONE && plane_orient(p[side_origin(list, e)],
-                                            p[side_dest(list, e)], p[sc->p]) < 0)
+                                            p[side_dest(list, e)], p[sc->p]) < 0) {
             count++;
+            if (failed(s))
+                show_edge(s, SVG_BAD, side_origin(list, e), side_dest(list, e));
+        }
     const uint32_t *path = sc->before.path;
     for (uint32_t i = 1; i < sc->before.length; i++)
-        if (plane_orient(p[path[i - 1]], p[path[i]], p[sc->p]) != 0)
+        if (plane_orient(p[path[i - 1]], p[path[i]], p[sc->p]) != 0) {
             count++;
+            if (failed(s))
+                show_edge(s, SVG_BAD, path[i - 1], path[i]);
+        }
     free(twin);
     return count;
 }
 
-/* The chain of the answer, vertex by vertex: is each of its edges seen, and how many? */
+/* The chain of the answer: does it have as many edges as are seen? */
+static void
+check_length(session *s, const site *p, const scene *sc, uint32_t begins, uint32_t length)
+{
+    uint32_t seen = count_seen(s, sc, p);
+    expect(s, length == seen, "the chain has %lu edges, but %lu sees %lu",
+           (unsigned long)length, (unsigned long)sc->p, (unsigned long)seen);
+    expect(s, length > 0 || begins == sc->latest,
+           "nothing is seen, and the place on the hull is at %lu, not at %lu",
+           (unsigned long)begins, (unsigned long)sc->latest);
+    if (failed(s))
+        count_seen(s, sc, p);
+}
+
+/* Is each of its edges seen, from the first to the last? */
 static void
 check_chain(session *s, const site *p, uint32_t n, bool all)
 {
@@ -165,36 +189,32 @@ check_chain(session *s, const site *p, uint32_t n, bool all)
     set_scene(s, &sc, p, n);
     begin_case(s, 'b', p, n);
     give_scene(s, &sc);
+    uint32_t *chain = room_for(n, sizeof *chain), length = 0;
     if (ask(s)) {
-        uint32_t length = take_number(s, 0, n, "the length of the chain");
-        uint32_t a = take_number(s, 0, n - 1, "where the chain begins");
-        if (all)
-            expect(s, failed(s) || length == count_seen(&sc, p),
-                   "the chain has %lu edges, but %lu sees %lu", (unsigned long)length,
-                   (unsigned long)sc.p, (unsigned long)count_seen(&sc, p));
-        else
-            expect(s, failed(s) || length > 0 || count_seen(&sc, p) == 0,
-                   "the chain is empty, but %lu sees %lu of the hull edges",
-                   (unsigned long)sc.p, (unsigned long)count_seen(&sc, p));
-        if (all && length == 0)
-            expect(s, failed(s) || a == sc.latest,
-                   "nothing is seen, and the place on the hull is at %lu, not at %lu",
-                   (unsigned long)a, (unsigned long)sc.latest);
-        for (uint32_t i = 0; i < length && !failed(s); i++) {
-            uint32_t b = take_number(s, 0, n - 1, "a vertex of the chain");
-            if (!failed(s) && !expect(s, plane_orient(p[a], p[b], p[sc.p]) < 0,
-                                      "hull edge %lu-%lu is in the chain, and %lu is not "
-                                      "strictly right of it",
-                                      (unsigned long)a, (unsigned long)b,
-                                      (unsigned long)sc.p)) {
-                show_witness(s, a);
-                show_witness(s, b);
-                show_witness(s, sc.p);
-            }
-            a = b;
-        }
+        length = take_number(s, 0, n - 1, "the length of the chain");
+        for (uint32_t i = 0; i <= length; i++)
+            chain[i] = take_number(s, 0, n - 1, "a vertex of the chain");
         take_end(s);
     }
+    if (!failed(s)) {
+        show_witness(s, sc.p);
+        for (uint32_t i = 0; i < length; i++)
+            show_edge(s, SVG_NEW, chain[i], chain[i + 1]);
+        if (all)
+            check_length(s, p, &sc, chain[0], length);
+        else
+            expect(s, length > 0 || count_seen(s, &sc, p) == 0,
+                   "the chain is empty, but %lu sees %lu of the hull edges",
+                   (unsigned long)sc.p, (unsigned long)count_seen(s, &sc, p));
+    }
+    for (uint32_t i = 0; i < length && !failed(s); i++)
+        if (!expect(s, plane_orient(p[chain[i]], p[chain[i + 1]], p[sc.p]) < 0,
+                    "hull edge %lu-%lu is in the chain, and %lu is not strictly right of "
+                    "it",
+                    (unsigned long)chain[i], (unsigned long)chain[i + 1],
+                    (unsigned long)sc.p))
+            show_edge(s, SVG_BAD, chain[i], chain[i + 1]);
+    free(chain);
     free(sc.before.path);
 }
 
@@ -267,6 +287,9 @@ hull_is_right(session *s, const site *p, uint32_t n)
         for (uint32_t i = 0; i < count && !failed(s); i++)
             vertex[i] = take_number(s, 0, n - 1, "a hull vertex");
         take_end(s);
+        for (uint32_t i = 0; i < count && !failed(s); i++)
+            if (i + 1 < count || list.count > 0)
+                show_edge(s, SVG_NEW, vertex[i], vertex[(i + 1) % count]);
         if (strcmp(variant_of(s), "clockwise") == 0 && list.count > 0)
             turn_around(vertex, count);
         if (!failed(s))
@@ -303,7 +326,7 @@ const property properties[] = {
     {"2.3-d", "hull", "The hull is listed counterclockwise, edge points included",
      "notes 2.3, last paragraph", CASES_GENERAL | CASES_CONVEX, 30, 100, true,
      hull_is_right},
-    {"2.3-d", "degenerate", "So it is when points coincide or lie on a line",
+    {"2.3-d", "degenerate", "The hull is right, too, when points coincide or lie on a line",
      "page 2.3, where it breaks", CASES_DEGENERATE, 30, 200, true, hull_is_right},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

@@ -4,6 +4,7 @@
 #include "tools/checks/meshes.h"
 #include "tools/checks/room.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Are these sites met one after the other, turning left around p once? */
@@ -36,9 +37,12 @@ check_neighbours(session *s, const site *at, uint32_t n, uint32_t p,
             listed += plane_same(at[around[i]], at[q]);
         bool shares = share_an_edge(at, n, at[p], at[q]);
         if (!expect(s, listed == shares,
-                    "the regions of %lu and %lu %s an edge, and %lu is listed %lu times",
+                    "the regions of %lu and %lu %s an edge, and %lu is %s",
                     (unsigned long)p, (unsigned long)q, shares ? "share" : "do not share",
-                    (unsigned long)q, (unsigned long)listed)) {
+                    (unsigned long)q,
+                    listed == 0   ? "not listed"
+                    : listed == 1 ? "listed"
+                                  : "listed more than once")) {
             show_witness(s, p);
             show_witness(s, q);
         }
@@ -63,6 +67,8 @@ region_is_right(session *s, const site *at, uint32_t n)
             around[i] = take_number(s, 0, n - 1, "a site around the region");
             expect(s, failed(s) || !plane_same(at[around[i]], at[p]),
                    "%lu is listed around itself", (unsigned long)p);
+            if (!failed(s))
+                show_edge(s, SVG_NEW, p, around[i]);
         }
         take_end(s);
         check_neighbours(s, at, n, p, around, failed(s) ? 0 : count);
@@ -206,6 +212,23 @@ check_vertices(session *s, const site *at, uint32_t n, const diagram *d)
             }
 }
 
+/* Is vertex i one of p, q and a third site on this side of pq? */
+static bool
+is_beside(const diagram *d, const site *at, uint32_t i, site p, site q, int side)
+{
+    bool third = false;
+    for (uint32_t k = 0; k < d->size[i]; k++)
+        third = third || plane_orient(p, q, at[d->site[i][k]]) == side;
+    return third && is_on(d, at, i, p) && is_on(d, at, i, q);
+}
+
+/* "vertex 3", or "infinity". */
+static void
+name_end(uint32_t end, char text[30])
+{
+    snprintf(text, 30, end == NONE ? "infinity" : "vertex %lu", (unsigned long)end);
+}
+
 /* One end of an edge between p and q: the vertex with both and a third site on this side
  * of pq; infinity when there is none on that side. */
 static void
@@ -213,16 +236,22 @@ check_end(session *s, const site *at, uint32_t n, const diagram *d, uint32_t k,
           uint32_t end, int side)
 {
     site p = at[d->left[k]], q = at[d->right[k]];
-    bool any = false, good = end != NONE && is_on(d, at, end, p) && is_on(d, at, end, q);
-    bool third = false;
+    uint32_t wanted = NONE;
+    bool any = false;
+    char is[30], should[30];
     for (uint32_t c = 0; c < n; c++)
         any = any || plane_orient(p, q, at[c]) == side;
-    for (uint32_t i = 0; end != NONE && i < d->size[end]; i++)
-        third = third || plane_orient(p, q, at[d->site[end][i]]) == side;
-    if (!expect(s, any ? good && third : end == NONE,
-                "the edge between %lu and %lu %s at a wrong place%s",
+    for (uint32_t i = 0; any && i < d->vertices; i++)
+        if (is_beside(d, at, i, p, q, side))
+            wanted = i;
+    name_end(end, is);
+    name_end(wanted, should);
+    if (!expect(s, any ? end != NONE && is_beside(d, at, end, p, q, side) : end == NONE,
+                "the edge with %lu on its left and %lu on its right %s at %s: a wrong place, "
+                "it should at %s",
                 (unsigned long)d->left[k], (unsigned long)d->right[k],
-                side > 0 ? "ends" : "begins", any ? "" : ": it is a ray, or a line")) {
+                side > 0 ? "ends" : "begins", is,
+                any && wanted == NONE ? "a vertex that there is not" : should)) {
         show_witness(s, d->left[k]);
         show_witness(s, d->right[k]);
     }
@@ -405,8 +434,8 @@ const property properties[] = {
      "notes 3.1, Definition 5; page 3.1, sec3.1.P1", DIFFERENT, 24, 300, true,
      region_is_right},
     {"3.1-a", "degenerate",
-     "So it is on grids, circles and lines, where bisectors meet in one point, and with "
-     "copies",
+     "The sites around a region are right on grids, circles and lines, too, where "
+     "bisectors meet in one point, and with copies",
      "page 3.1, where it breaks", CASES_DEGENERATE, 20, 400, true, region_is_right},
     {"3.1-b", "vertices", "Each vertex is one empty circle, with all the sites on it",
      "notes 3.1, Definition 6; page 3.1, sec3.1.P5", DIFFERENT, 20, 80, true,
@@ -418,8 +447,8 @@ const property properties[] = {
     {"3.1-b", "cells", "The cell of a site has its edges, counterclockwise",
      "voronoi.h, voronoi", DIFFERENT, 20, 80, true, cells_are_right},
     {"3.1-b", "degenerate",
-     "All this holds on grids, circles and lines, and with copies: circles that are the "
-     "same are one vertex",
+     "The diagram is right on grids, circles and lines, and with copies: circles that are "
+     "the same are one vertex",
      "page 3.1, sec3.1.P5", CASES_DEGENERATE, 16, 200, true, diagram_is_right},
     {"3.1-c", "nearest", "No site is nearer than the answer",
      "notes 3.1, the post-office problem; page 3.1, sec3.1.P14",

@@ -164,6 +164,8 @@ check_tree(session *s, const site *p, uint32_t n, bool minimum)
         for (uint32_t k = 0; k < count && !failed(s); k++) {
             edge[k].a = take_number(s, 0, n - 1, "the end of an edge");
             edge[k].b = take_number(s, 0, n - 1, "the end of an edge");
+            if (!failed(s))
+                show_edge(s, SVG_NEW, edge[k].a, edge[k].b);
         }
         take_end(s);
         if (!failed(s) && expect_verdict(s, certify_spanning(q, n, edge, count)) &&
@@ -207,7 +209,7 @@ const property properties[] = {
      "notes 3.2.2, Theorem 2; page 3.2, thm2.P5",
      CASES_GENERAL | CASES_CONVEX | CASES_GRID | CASES_COCIRCULAR, 24, 100, false,
      tree_is_minimum},
-    {"3.2-b", "degenerate", "All this holds when points coincide or lie on a line",
+    {"3.2-b", "degenerate", "The tree spans and is minimum, too, when points coincide or lie on a line",
      "page 3.2, where it breaks", CASES_DEGENERATE, 24, 200, false, tree_is_minimum},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

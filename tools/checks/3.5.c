@@ -4,8 +4,10 @@
 #include "tools/checks/meshes.h"
 #include "tools/checks/replay.h"
 #include "tools/checks/room.h"
+#include "tools/checks/turns.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* A case about a random triangulation; empty when there is none. */
 static triangle_list
@@ -171,9 +173,11 @@ check_links(session *s, const reported *r)
                (unsigned long)e, (unsigned long)t, (unsigned long)r->twin[t]);
         expect(s, r->origin[t] == r->origin[next_of(e)] &&
                       r->origin[e] == r->origin[next_of(t)],
-               "half-edges %lu and %lu are twins, and do not run between the same "
-               "vertices",
-               (unsigned long)e, (unsigned long)t);
+               "half-edges %lu (%lu-%lu) and %lu (%lu-%lu) are twins, and do not run between "
+               "the same vertices",
+               (unsigned long)e, (unsigned long)r->origin[e],
+               (unsigned long)r->origin[next_of(e)], (unsigned long)t,
+               (unsigned long)r->origin[t], (unsigned long)r->origin[next_of(t)]);
     }
 }
 
@@ -189,7 +193,7 @@ links_are_right(session *s, const site *p, uint32_t n)
     replay_flip(expected, &q);
     for (uint32_t e = 0; e < 3 * list.count; e++)
         seen.corner[e / 3][e % 3] = r.origin[e];
-    expect(s, failed(s) || same_triangles(seen, expected),
+    expect(s, failed(s) || missing_triangle(expected, seen) == NONE,
            "%lu-%lu was to become %lu-%lu: the triangles are not those around %lu-%lu",
            (unsigned long)q.a, (unsigned long)q.b, (unsigned long)q.c, (unsigned long)q.d,
            (unsigned long)q.c, (unsigned long)q.d);
@@ -199,9 +203,8 @@ links_are_right(session *s, const site *p, uint32_t n)
            (unsigned long)q.a, (unsigned long)q.b, (unsigned long)q.d,
            (unsigned long)q.c);
     if (failed(s)) {
-        const vertex_id w[4] = {q.a, q.b, q.c, q.d};
-        for (int i = 0; i < 4; i++)
-            show_witness(s, w[i]);
+        show_edge(s, SVG_NEW, q.c, q.d);
+        show_edge(s, SVG_BAD, q.a, q.b);
     }
     triangle_list_free(&expected);
     triangle_list_free(&seen);
@@ -252,6 +255,10 @@ flips_are_undone(session *s, const site *p, uint32_t n)
            "after one flip the half-edge from %lu to %lu leaves %lu, and not %lu",
            (unsigned long)q.a, (unsigned long)q.b, (unsigned long)once.origin[q.ab],
            (unsigned long)q.d);
+    if (failed(s)) {
+        show_edge(s, SVG_NEW, q.c, q.d);
+        show_edge(s, SVG_BAD, q.a, q.b);
+    }
     forget_reported(&once);
 }
 
@@ -269,8 +276,10 @@ replay_all(session *s, const site *p, uint32_t n, triangle_list list, bool neede
         if (failed(s) ||
             !expect(s, find_quadrilateral(list, a, b, &q),
                     "flip %lu is to be of %lu-%lu, which is no inner edge then",
-                    (unsigned long)i + 1, (unsigned long)a, (unsigned long)b))
+                    (unsigned long)i + 1, (unsigned long)a, (unsigned long)b)) {
+            show_edge(s, SVG_BAD, a, b);
             break;
+        }
         if (!expect(s, is_strictly_convex(p, &q),
                     "flip %lu is of %lu-%lu, whose quadrilateral is not strictly convex",
                     (unsigned long)i + 1, (unsigned long)a, (unsigned long)b) ||
@@ -281,8 +290,9 @@ replay_all(session *s, const site *p, uint32_t n, triangle_list list, bool neede
                     (unsigned long)q.d, (unsigned long)q.a, (unsigned long)q.b,
                     (unsigned long)q.c)) {
             const vertex_id w[4] = {q.a, q.b, q.c, q.d};
-            for (int k = 0; k < 4; k++)
+            for (int k = 0; k < (is_strictly_convex(p, &q) ? 4 : 2); k++)
                 show_witness(s, w[k]);
+            show_edge(s, SVG_NEW, q.c, q.d);
             break;
         }
         replay_flip(list, &q);
@@ -303,16 +313,32 @@ count_inner_edges(triangle_list list)
     return sides / 2;
 }
 
+/* The variant `queue`: how the edges came and went. The list is changed. */
+static void
+check_turns(session *s, const site *p, uint32_t n, triangle_list list)
+{
+    uint32_t count = take_number(s, 0, WIRE_MOST_WORDS / 2, "the number of events");
+    turn *report = room_for(count, sizeof *report);
+    for (uint32_t i = 0; i < count; i++) {
+        report[i].kind = (turn_kind)take_number(s, 0, 2, "the kind of an event");
+        report[i].e = take_number(s, 0, 6 * n, "a half-edge");
+    }
+    take_end(s);
+    if (!failed(s))
+        expect_verdict(s, certify_turns(p, list, report, count));
+    free(report);
+}
+
 /* The result is what the flips make of the case, and Delaunay. */
 static void
 check_lawson_flip(session *s, const site *p, uint32_t n, bool needed, bool cheap)
 {
-    triangle_list list = give_triangulation(s, 'c', p, n);
-    if (list.count == 0 || !ask(s))
+    triangle_list given = give_triangulation(s, 'c', p, n);
+    if (given.count == 0 || !ask(s))
         return;
     uint64_t tests = asked(s, WIRE_INCIRCLE);
-    uint32_t inner = count_inner_edges(list);
-    list = copy_triangles(list);
+    uint32_t inner = count_inner_edges(given);
+    triangle_list list = copy_triangles(given);
     keep_triangles(s, list);
     uint32_t flips = replay_all(s, p, n, list, needed);
     if (!failed(s))
@@ -321,6 +347,11 @@ check_lawson_flip(session *s, const site *p, uint32_t n, bool needed, bool cheap
         triangle_list again = copy_triangles(list);
         keep_triangles(s, again);
         expect_verdict(s, certify_delaunay(p, n, again));
+    }
+    if (needed && !cheap && !failed(s) && strcmp(variant_of(s), "queue") == 0) {
+        triangle_list again = copy_triangles(given);
+        keep_triangles(s, again);
+        check_turns(s, p, n, again);
     }
     if (cheap)
         expect(s, failed(s) || tests <= inner + 4 * (uint64_t)flips,
@@ -363,9 +394,15 @@ check_path(session *s, const site *p, uint32_t n, bool count)
     keep_triangles(s, now);
     uint32_t flips = replay_all(s, p, n, now, false), u = count_locations(p, n);
     take_end(s);
-    expect(s, failed(s) || same_triangles(now, to),
-           "after %lu flips the triangles are not those of the second triangulation",
-           (unsigned long)flips);
+    triangle_id t = failed(s) ? NONE : missing_triangle(to, now);
+    if (t != NONE) {
+        expect(s, false,
+               "after %lu flips the triangles are not those of the second triangulation: "
+               "%lu-%lu-%lu is missing",
+               (unsigned long)flips, (unsigned long)to.corner[t][0],
+               (unsigned long)to.corner[t][1], (unsigned long)to.corner[t][2]);
+        show_face(s, SVG_BAD, to.corner[t], 3);
+    }
     if (count)
         expect(s, failed(s) || flips <= u * (u - 1),
                "%lu flips for %lu locations; n (n-1) is %lu", (unsigned long)flips,
@@ -406,7 +443,8 @@ const property properties[] = {
      "notes 3.5, Theorem 3; page 3.5, fig10.P5", EVERYTHING, 24, 150, true,
      result_is_delaunay},
     {"3.5-c", "needed", "Each flip is of an edge that is not locally Delaunay, and is "
-                        "reported by flip (trace_report)",
+                        "reported by flip (trace_report); from a queue the edge that has "
+                        "waited longest is taken",
      "notes 3.5, lines 3 and 4 of Figure 10", EVERYTHING, 24, 150, true, flips_are_needed},
     {"3.5-c", "tests", "There are at most E + 4F incircle tests, for E inner edges and F "
                        "flips",

@@ -156,7 +156,8 @@ const property properties[] = {
     {"3.7-a", "delaunay", "The two triangulations become one, and that is Delaunay",
      "notes 3.7; page 3.7, sec3.7.P6", CASES_GENERAL | CASES_CONVEX, 40, 100, true,
      merge_is_delaunay},
-    {"3.7-a", "degenerate", "So it is when points coincide, or lie on a line or circle",
+    {"3.7-a", "degenerate",
+     "The result is Delaunay, too, when points coincide, or lie on a line or circle",
      "page 3.7, sec3.7.P7 and where it breaks", CASES_DEGENERATE, 30, 200, true,
      merge_is_delaunay},
     {"3.7-a", "linear", "There are at most 16 questions for each point, left and right "
@@ -166,7 +167,8 @@ const property properties[] = {
     {"3.7-b", "delaunay", "The result is a Delaunay triangulation",
      "notes 3.7; page 3.7, sec3.7.P6", CASES_GENERAL | CASES_CONVEX, 60, 60, true,
      divide_is_delaunay},
-    {"3.7-b", "degenerate", "So it is when points coincide, or lie on a line or circle",
+    {"3.7-b", "degenerate",
+     "The result is Delaunay, too, when points coincide, or lie on a line or circle",
      "page 3.7, where it breaks", CASES_DEGENERATE, 40, 200, true, divide_is_delaunay},
     {"3.7-b", "tests", "There are at most 6 n log2 n questions of all kinds, for random "
                        "points",

@@ -33,6 +33,7 @@
 #define TOOLS_CHECKS_CHECKER_H
 
 #include "lib/random.h"
+#include "lib/svg.h"
 #include "lib/triangles.h"
 #include "lib/verdict.h"
 #include "tools/checks/cases.h"
@@ -134,7 +135,17 @@ bool failed(const session *s);
  * of a failure unless another list comes later. At most 8 in a trial. */
 void keep_triangles(session *s, triangle_list list);
 
-/* One more point to look at in the picture; four at most. */
+/* One more point to look at in the picture; four at most. Four are an edge, a circle
+ * and a point: svg_verdict. */
 void show_witness(session *s, uint32_t point);
+
+/* Draws the point, edge or triangle with these 1 to 3 vertices: what the case has beside
+ * its triangles (SVG_PLAIN), what was answered (SVG_NEW), what is wrong (SVG_BAD). An
+ * index that is none is ignored. begin_case forgets them all. */
+void show_face(session *s, svg_style style, const uint32_t *vertex, uint32_t count);
+void show_edge(session *s, svg_style style, uint32_t a, uint32_t b);
+
+/* The edges of a path, as a part of the case. */
+void show_path(session *s, const uint32_t *path, uint32_t count);
 
 #endif

@@ -10,6 +10,7 @@
 #include <string.h>
 
 enum { MOST_IN_A_COMMAND = 20 }; /* points; more are no case to type */
+enum { MOST_PRINTED = 100 };     /* and more than these tell nobody anything */
 
 /* Control characters, which could play with a terminal, become dots. */
 static void
@@ -25,9 +26,11 @@ print_clean(FILE *file, const char *text)
 static void
 print_points(FILE *file, const site *points, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < n && i < MOST_PRINTED; i++)
         fprintf(file, "%s(%ld,%ld)", i == 0 ? "" : i % 10 == 0 ? "\n    " : " ",
                 (long)points[i].x, (long)points[i].y);
+    if (n > MOST_PRINTED)
+        fputs("\n    ...", file);
 }
 
 static void

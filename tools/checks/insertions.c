@@ -109,6 +109,15 @@ replay_flip_at(session *s, insertion *in, told t)
     }
 }
 
+/* The triangulation in which something went wrong. */
+static void
+show_replay(session *s, const insertion *in)
+{
+    keep_triangles(s, sphere_triangles(&in->now));
+    for (uint32_t e = 0; in->now.flat && e < 3 * in->now.list.count; e++)
+        show_edge(s, SVG_PLAIN, side_origin(in->now.list, e), side_dest(in->now.list, e));
+}
+
 /* The result, and that of the replay: Delaunay. */
 static void
 check_result(session *s, const site *at, uint32_t n)
@@ -139,6 +148,8 @@ check_insertion(session *s, const site *at, uint32_t n, bool flips)
             else if (flips && !failed(s) && t.kind == TOLD_FLIP)
                 replay_flip_at(s, &in, t);
         }
+        if (failed(s))
+            show_replay(s, &in);
         check_result(s, at, n);
         expect(s, !flips || failed(s) || count < 3 || in.inserted == count,
                "locate has been asked for %lu points of %lu",
@@ -181,11 +192,13 @@ check_homes(session *s, const insertion *in)
         expect(s, failed(s) || e != NONE,
                "%lu waits in %s still, which is not there any more", (unsigned long)q,
                home.text);
-        if (!failed(s) &&
-            !expect(s, sphere_has(&in->now, e / 3, q),
-                    "%lu waits in %s, and does not lie there", (unsigned long)q,
-                    home.text))
+        expect(s, failed(s) || sphere_has(&in->now, e / 3, q),
+               "%lu waits in %s, and does not lie there", (unsigned long)q, home.text);
+        if (failed(s)) {
             show_witness(s, q);
+            if (in->waits[q])
+                show_triangle(s, SVG_BAD, in->n, h[0], h[1], h[2]);
+        }
     }
 }
 
@@ -239,6 +252,8 @@ check_waiting(session *s, const site *at, uint32_t n, bool moves)
             count_moves(s, &in, events);
         else
             replay_waiting(s, &in, events);
+        if (failed(s) && !moves)
+            show_replay(s, &in);
         check_result(s, at, n);
         end_insertion(&in);
     }

@@ -2,8 +2,6 @@
 #include "tools/checks/replay.h"
 #include "tools/checks/room.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The side from a to b, or NONE. */
@@ -51,44 +49,16 @@ copy_triangles(triangle_list list)
     return copy;
 }
 
-/* The triangle with its smallest corner in front. */
-static void
-turn(vertex_id t[3])
+triangle_id
+missing_triangle(triangle_list t, triangle_list in)
 {
-    while (t[0] > t[1] || t[0] > t[2]) {
-        vertex_id first = t[0];
-        t[0] = t[1];
-        t[1] = t[2];
-        t[2] = first;
+    for (triangle_id i = 0; i < t.count; i++) {
+        bool found = false;
+        for (halfedge_id e = 0; e < 3 * in.count && !found; e++)
+            found = side_origin(in, e) == t.corner[i][0] &&
+                    side_dest(in, e) == t.corner[i][1] && side_apex(in, e) == t.corner[i][2];
+        if (!found)
+            return i;
     }
-}
-
-static int
-compare_triangles(const void *left, const void *right)
-{
-    const vertex_id *s = left, *t = right;
-    for (int i = 0; i < 3; i++)
-        if (s[i] != t[i])
-            return s[i] < t[i] ? -1 : 1;
-    return 0;
-}
-
-bool
-same_triangles(triangle_list s, triangle_list t)
-{
-    if (s.count != t.count)
-        return false;
-    s = copy_triangles(s);
-    t = copy_triangles(t);
-    for (uint32_t i = 0; i < s.count; i++) {
-        turn(s.corner[i]);
-        turn(t.corner[i]);
-    }
-    qsort(s.corner, s.count, sizeof *s.corner, compare_triangles);
-    qsort(t.corner, t.count, sizeof *t.corner, compare_triangles);
-    bool same =
-        s.count == 0 || memcmp(s.corner, t.corner, s.count * sizeof *s.corner) == 0;
-    triangle_list_free(&s);
-    triangle_list_free(&t);
-    return same;
+    return NONE;
 }

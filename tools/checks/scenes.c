@@ -40,6 +40,26 @@ give_scene(session *s, const scene *sc)
         give_triangles(s, sc->before.list);
     else
         give_path(s, sc->before.path, sc->before.length);
+    show_path(s, sc->before.path, sc->before.length);
+}
+
+void
+show_triangle(session *s, svg_style style, vertex_id infinity, vertex_id a, vertex_id b,
+              vertex_id c)
+{
+    const uint32_t corner[3] = {a, b, c};
+    if (a != infinity && b != infinity && c != infinity)
+        show_face(s, style, corner, 3);
+    else
+        show_edge(s, style, a == infinity ? c : a, b == infinity ? c : b);
+}
+
+void
+show_triangle_of(session *s, svg_style style, const scene *sc, halfedge_id e)
+{
+    triangle_list list = sc->around.list;
+    show_triangle(s, style, sc->around.infinity, side_origin(list, e), side_dest(list, e),
+                  side_apex(list, e));
 }
 
 static const char *const spot_names[] = {"nowhere", "in a triangle", "on an edge",

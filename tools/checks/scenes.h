@@ -39,4 +39,9 @@ name name_of_edge(vertex_id infinity, vertex_id a, vertex_id b);
 /* The triangle of side e of the scene. */
 name name_of(const scene *sc, halfedge_id e);
 
+/* Draws a triangle; of an outside one its side. */
+void show_triangle(session *s, svg_style style, vertex_id infinity, vertex_id a,
+                   vertex_id b, vertex_id c);
+void show_triangle_of(session *s, svg_style style, const scene *sc, halfedge_id e);
+
 #endif

@@ -43,6 +43,7 @@ begin_case(session *s, char exercise, const site *points, uint32_t n)
     words_clear(&s->given);
     words_put(&s->given, (uint64_t)exercise);
     s->about = (questions){.at = points, .n = n};
+    s->faces = 0;
     if (s->opaque) {
         deal_tickets(s, n);
         s->about.owner = s->owner;
@@ -171,8 +172,8 @@ take_number(session *s, uint32_t low, uint32_t high, const char *what)
     if (s->failed)
         return low;
     if (!expect(s, low <= word && word <= high,
-                "%s is %lld, and must be between %lu and %lu", what, (long long)word,
-                (unsigned long)low, (unsigned long)high))
+                "%s is %lld%s, and must be between %lu and %lu", what, (long long)word,
+                word == NONE ? " (NONE)" : "", (unsigned long)low, (unsigned long)high))
         return low;
     return (uint32_t)word;
 }
@@ -300,6 +301,34 @@ void
 show_witness(session *s, uint32_t point)
 {
     s->witness = verdict_with(s->witness, point);
+}
+
+void
+show_face(session *s, svg_style style, const uint32_t *vertex, uint32_t count)
+{
+    shown_face f = {.style = style, .count = count};
+    if (s->faces == SESSION_FACES)
+        return;
+    for (uint32_t i = 0; i < count; i++) {
+        if (vertex[i] >= s->about.n)
+            return;
+        f.vertex[i] = vertex[i];
+    }
+    s->face[s->faces++] = f;
+}
+
+void
+show_edge(session *s, svg_style style, uint32_t a, uint32_t b)
+{
+    const uint32_t end[2] = {a, b};
+    show_face(s, style, end, 2);
+}
+
+void
+show_path(session *s, const uint32_t *path, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++)
+        show_edge(s, SVG_PLAIN, path[i - 1], path[i]);
 }
 
 /* ---- One trial. ---- */

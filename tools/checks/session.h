@@ -4,7 +4,13 @@
 
 #include "tools/checks/checker.h"
 
-enum { SESSION_LISTS = 8 }; /* lists of triangles kept in one trial, at most */
+enum { SESSION_LISTS = 8 };   /* lists of triangles kept in one trial, at most */
+enum { SESSION_FACES = 600 }; /* faces shown in a picture; more are left out */
+
+typedef struct shown_face {
+    svg_style style;
+    uint32_t vertex[3], count;
+} shown_face;
 
 struct session {
     /* for all trials */
@@ -29,6 +35,8 @@ struct session {
     verdict witness; /* the points to look at */
     triangle_list kept[SESSION_LISTS];
     uint32_t lists;
+    shown_face face[SESSION_FACES];
+    uint32_t faces;
 };
 
 /* One trial, from its seed. Afterwards `failed` and what belongs to it are set. */

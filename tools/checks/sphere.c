@@ -113,7 +113,7 @@ sphere_spot(const sphere *s, uint32_t p, halfedge_id *e)
     halfedge_id on = NONE, side = *e;
     for (int i = 0; i < 3; i++, side = next_side(side)) {
         int turn = turn_at(s, side, p);
-        if (turn < 0 || (turn == 0 && on != NONE))
+        if (turn < 0)
             return SPOT_NOWHERE;
         on = turn == 0 ? side : on;
     }

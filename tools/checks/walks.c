@@ -69,6 +69,8 @@ take_place(session *s, const scene *sc, uint32_t n, spot *kind)
            "the triangle of the place is right, but its half-edge is to lead from %lu to "
            "%lu", (unsigned long)side_origin(sc->around.list, exact),
            (unsigned long)side_dest(sc->around.list, exact));
+    if (failed(s))
+        show_triangle_of(s, SVG_BAD, sc, e);
     return failed(s) ? NONE : e;
 }
 
@@ -107,17 +109,21 @@ take_visits(session *s, const scene *sc, const site *at, uint32_t n, uint32_t v,
     halfedge_id before = NONE;
     for (uint32_t i = 0; i < visits && !failed(s); i++) {
         halfedge_id e = take_side(s, sc, n, "a visit");
+        if (!failed(s))
+            show_triangle_of(s, SVG_NEW, sc, e);
         check_visit(s, sc, at, v, before, e, visited);
         before = e;
     }
     take_end(s);
     for (triangle_id t = 0; t < sc->before.list.count && !failed(s); t++)
-        expect(s, visited[t] || meets_segment(at, list, t, v, sc->p) != ENTERED,
-               "the segment from %lu to %lu runs through %s, which is not visited",
-               (unsigned long)v, (unsigned long)sc->p, name_of(sc, 3 * t).text);
-    if (!failed(s) && kind == SPOT_TRIANGLE)
-        expect(s, visited[place / 3], "%s, the place, is not visited",
-               name_of(sc, place).text);
+        if (!expect(s, visited[t] || meets_segment(at, list, t, v, sc->p) != ENTERED,
+                    "the segment from %lu to %lu runs through %s, which is not visited",
+                    (unsigned long)v, (unsigned long)sc->p, name_of(sc, 3 * t).text))
+            show_triangle_of(s, SVG_BAD, sc, 3 * t);
+    if (!failed(s) && kind == SPOT_TRIANGLE &&
+        !expect(s, visited[place / 3], "%s, the place, is not visited",
+                name_of(sc, place).text))
+        show_triangle_of(s, SVG_BAD, sc, place);
     free(visited);
     return visits;
 }
@@ -151,6 +157,7 @@ check_walk(session *s, const site *at, uint32_t n, bool visits, bool tests)
     give_number(s, v);
     give_number(s, sc.p);
     show_witness(s, sc.p);
+    show_edge(s, SVG_STRONG, v, sc.p);
     if (ask(s)) {
         spot kind;
         halfedge_id place = take_place(s, &sc, n, &kind);

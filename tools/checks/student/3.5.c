@@ -46,12 +46,11 @@ solve_flip(void)
     free(points);
 }
 
-/* Counts the flips, and then writes them down. */
+/* Writes down the flips, and the edges put on the stack and taken off. */
 typedef struct recorder {
     trace base; /* first: see lib/trace.h */
-    uint32_t count;
-    vertex_id (*ends)[2];
-    uint32_t room;
+    trace_event *event;
+    uint32_t count, room, flips, most_flips;
 } recorder;
 
 static int
@@ -59,26 +58,42 @@ record(trace *self, const mesh *m, const trace_event *event)
 {
     (void)m;
     recorder *r = (recorder *)self;
-    if (event->kind != TRACE_FLIP)
+    if (event->kind != TRACE_FLIP && event->kind != TRACE_PUSH &&
+        event->kind != TRACE_POP)
         return 0;
-    if (r->count == r->room)
+    if (r->count == r->room || r->flips == r->most_flips)
         return 1; /* more than all triangulations need: stop */
-    r->ends[r->count][0] = event->a;
-    r->ends[r->count++][1] = event->b;
+    r->event[r->count++] = *event;
+    r->flips += event->kind == TRACE_FLIP;
     return 0;
 }
 
+/* The ends of the flipped edges. */
 static void
-answer_ends(const vertex_id (*ends)[2], uint32_t count)
+answer_flips(const recorder *r)
 {
-    answer_number(count);
-    for (uint32_t i = 0; i < count; i++) {
-        answer_number(ends[i][0]);
-        answer_number(ends[i][1]);
+    answer_number(r->flips);
+    for (uint32_t i = 0; i < r->count; i++)
+        if (r->event[i].kind == TRACE_FLIP) {
+            answer_number(r->event[i].a);
+            answer_number(r->event[i].b);
+        }
+}
+
+/* What happened, to which half-edges: tools/checks/turns.h. */
+static void
+answer_turns(const recorder *r)
+{
+    answer_number(r->count);
+    for (uint32_t i = 0; i < r->count; i++) {
+        trace_kind kind = r->event[i].kind;
+        answer_number(kind == TRACE_PUSH ? 0 : kind == TRACE_POP ? 1 : 2);
+        answer_number(r->event[i].edge);
     }
 }
 
-/* The exercise 3.5-c: points and a mesh; the flips, and the triangles afterwards. */
+/* The exercise 3.5-c: points and a mesh; the flips, the triangles afterwards, and how the
+ * edges came and went: at most 3n at first, and four for each flip. */
 static void
 solve_lawson_flip(void)
 {
@@ -86,19 +101,21 @@ solve_lawson_flip(void)
     mesh m;
     point2 *points = case_points(&n);
     case_mesh(n, &m);
-    recorder r = {.base = {record}, .room = 4 * n * n};
-    r.ends = calloc(r.room + 1, sizeof *r.ends);
+    recorder r = {.base = {record}, .most_flips = 4 * n * n};
+    r.room = 2 * (3 * n + 4 * r.most_flips) + r.most_flips;
+    r.event = calloc(r.room, sizeof *r.event);
     edge_stack L;
-    if (r.ends != NULL && edge_stack_init(&L, &m) == TRI_OK) {
-        push_all_edges(&L);
+    if (r.event != NULL && edge_stack_init(&L, &m) == TRI_OK) {
         m.trace = &r.base;
+        push_all_edges(&L);
         lawson_flip(&L, points);
         m.trace = NULL;
         edge_stack_free(&L);
     }
-    answer_ends((const vertex_id(*)[2])r.ends, r.count);
+    answer_flips(&r);
     answer_mesh(&m);
-    free(r.ends);
+    answer_turns(&r);
+    free(r.event);
     mesh_free(&m);
     free(points);
 }
@@ -114,7 +131,11 @@ solve_flip_path(void)
     case_mesh(n, &from);
     case_mesh(n, &to);
     answer_number(flip_path(points, &from, &to, &path));
-    answer_ends((const vertex_id(*)[2])path.ends, path.count);
+    answer_number(path.count);
+    for (uint32_t i = 0; i < path.count; i++) {
+        answer_number(path.ends[i][0]);
+        answer_number(path.ends[i][1]);
+    }
     edge_list_free(&path);
     mesh_free(&from);
     mesh_free(&to);
