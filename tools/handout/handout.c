@@ -12,7 +12,8 @@
  * are the student's own (traces.c).
  *
  * The tree is not written before its promises have been seen to be true (proof.c).
- * --no-proof leaves out what takes seconds, for tests: compiling and running it.
+ * --no-proof leaves out what takes seconds, compiling and running it: where the same tree
+ * has been proved before, as for the second student of a class.
  *
  * Exit status: 0 written; 1 refused, standard error says why; 2 the program cannot run.
  */

@@ -78,27 +78,26 @@ prove_tree(const handout *h, const tree *t, const char *folder, const char *want
     }
 }
 
-/* The tree with the project's own files in the place of those with TODOs. */
+/* The project's own files, for the place of those with TODOs. */
 static tree
-put_back(const handout *h)
+solutions(const handout *h)
 {
     tree t = {0};
-    for (size_t i = 0; i < h->tree.files; i++) {
-        const tree_file *f = &h->tree.file[i];
-        tree_put(&t, f->path, f->bytes);
-        for (size_t k = 0; k < h->project.exercises; k++)
-            if (h->project.exercise[k].role >= ROLE_LATER &&
-                strcmp(h->project.exercise[k].path, f->path) == 0)
-                tree_put(&t, f->path,
-                         file_bytes(format("%s/%s", h->project.root, f->path), NULL));
+    for (size_t k = 0; k < h->project.exercises; k++) {
+        const exercise *e = &h->project.exercise[k];
+        if (e->role >= ROLE_LATER && tree_find(&h->tree, e->path) != NULL)
+            tree_put(&t, e->path,
+                     file_bytes(format("%s/%s", h->project.root, e->path), NULL));
     }
     return t;
 }
 
+/* The second tree is made of the first: the rest of it has been compiled. */
 void
 handout_prove(const handout *h)
 {
-    tree reference = put_back(h);
-    prove_tree(h, &h->tree, format("%s/untouched", h->scratch), "todo");
-    prove_tree(h, &reference, format("%s/solved", h->scratch), "pass");
+    const char *folder = format("%s/proof", h->scratch);
+    tree reference = solutions(h);
+    prove_tree(h, &h->tree, folder, "todo");
+    prove_tree(h, &reference, folder, "pass");
 }
