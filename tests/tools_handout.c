@@ -547,6 +547,27 @@ nothing_of_a_solution_is_left_in_any_week(void)
     CLAIM("handout.weeks", run(command) == 0, "%s", said);
 }
 
+/* A page's list of exercises says what exercises.ini says: points, stars and hours. */
+static void
+pages_list_the_exercises(void)
+{
+    must(chdir(root) == 0, root);
+    CLAIM("handout.pages",
+          run("for ini in chapters/*/exercises.ini; do awk -F' *= *' '"
+              "/^\\[/ { id = substr($0, 2, length($0) - 2); what = \"points\" } "
+              "$1 == \"bonus\" { what = \"bonus points\" } "
+              "$1 == \"stars\" { stars = substr(\"****\", 1, $2) } "
+              "$1 == \"points\" { n = split($2, part, /[ :]/); points = 0; "
+              "  for (i = 2; i <= n; i += 2) points += part[i] } "
+              "$1 == \"hours\" { printf \"- @%s@ (%d %s, %s, %d hour%s)\\n\", "
+              "  id, points, what, stars, $2, $2 == 1 ? \"\" : \"s\" }' \"$ini\" | "
+              "while read -r line; do "
+              "sed 's/^- \\*\\*\\([^*]*\\)\\*\\*/- @\\1@/; s/\xe2\x98\x85/*/g' "
+              "\"${ini%/*}/README.md\" | grep -qF -- \"$line\" || "
+              "{ echo \"${ini%/*}: $line\"; exit 1; }; done || exit 1; done") == 0,
+          "the page does not say %s", said);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -568,5 +589,6 @@ main(int argc, char **argv)
              exercises_are_put_into_a_students_file);
     test_run("nothing of a solution is left in any week",
              nothing_of_a_solution_is_left_in_any_week);
-    return test_end((test_minima){.trials = 11});
+    test_run("pages list the exercises", pages_list_the_exercises);
+    return test_end((test_minima){.trials = 12});
 }
