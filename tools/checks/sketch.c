@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { MOST_LABELS = 10, MOST_ACROSS = 30, MOST_UP = 20 };
+enum { MOST_LABELS = 10, MOST_ACROSS = 24, MOST_UP = 12 };
 
 /* The lowest and the highest corner of the points' box. */
 static void
