@@ -151,7 +151,7 @@ file_of_row(const char *bytes, size_t size, const char *row)
         f.trouble = "it is a device or a pipe, and not a file";
     else if (method != STORED && method != DEFLATED)
         f.trouble = "it is compressed in a way that is not known here";
-    if (at + HEAD > size || number(bytes + at, 4) != HEAD_MARK) {
+    if (size < HEAD || at > size - HEAD || number(bytes + at, 4) != HEAD_MARK) {
         f.trouble = damaged;
         return f;
     }
@@ -168,7 +168,7 @@ read_zip(archive *a, const char *bytes, size_t size, const char *end)
 {
     size_t rows = number(end + 10, 2), at = number(end + 16, 4);
     for (size_t i = 0; i < rows && a->trouble == NULL; i++) {
-        if (at + ROW > size || number(bytes + at, 4) != ROW_MARK) {
+        if (size < ROW || at > size - ROW || number(bytes + at, 4) != ROW_MARK) {
             a->trouble = damaged;
             return;
         }
