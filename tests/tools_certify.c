@@ -1,10 +1,10 @@
-/* What is enough to check is enough: the certifiers of triangulations and of hulls accept
- * what the definitions accept.
+/* What is enough to check is enough: the certifiers of triangulations and of hulls
+ * accept what the definitions accept.
  *
- * Hypotheses: none but small integers. They are asked about every answer that there is to
- * a few points of a small grid, where ties of all kinds come up, and about good answers
- * that are broken in some way. The definitions are written down once more, slowly: with
- * areas and all subsets.
+ * Hypotheses: none but small integers. They are asked about every answer that there is
+ * to a few points of a small grid, where ties of all kinds come up, and about good
+ * answers that are broken in some way. The definitions are written down once more,
+ * slowly: with areas and all subsets.
  */
 #include "tests/harness/sites.h"
 #include "tools/checks/cases.h"
@@ -265,8 +265,8 @@ height(site p)
     return (int64_t)p.x * p.x + (int64_t)p.y * p.y;
 }
 
-/* Positive: the lifted d is outside of the plane of a, b, c, which are seen counterclockwise
- * from outside. */
+/* Positive: the lifted d is outside of the plane of a, b, c, which are seen
+ * counterclockwise from outside. */
 static int64_t
 outside(site a, site b, site c, site d)
 {
@@ -277,7 +277,8 @@ outside(site a, site b, site c, site d)
 
 /* The corners of face t in a coordinate plane where it has an area, counterclockwise. */
 static void
-flatten(const problem *p, triangle_list faces, uint32_t t, const site like[3], site seen[3])
+flatten(const problem *p, triangle_list faces, uint32_t t, const site like[3],
+        site seen[3])
 {
     for (int i = 0; i < 3; i++) {
         site q = p->at[faces.corner[t][i]];
@@ -293,10 +294,10 @@ flatten(const problem *p, triangle_list faces, uint32_t t, const site like[3], s
     }
 }
 
-/* 2n - 4 faces, each on the hull and seen from outside, and none over another. There is no
- * room for more: the k points of a facet are in convex position, so that at most k - 2
- * triangles lie beside each other in it, and by Euler's formula these are 2n - 4 together.
- * Requires: no two points coincide. */
+/* 2n - 4 faces, each on the hull and seen from outside, and none over another. There is
+ * no room for more: the k points of a facet are in convex position, so that at most
+ * k - 2 triangles lie beside each other in it, and by Euler's formula these are 2n - 4
+ * together. Requires: no two points coincide. */
 static bool
 is_lifted_hull_slowly(const problem *p, triangle_list faces)
 {
@@ -339,8 +340,8 @@ compare_lifted(const problem *p, triangle_list faces)
     return right;
 }
 
-/* All faces through which no point is outside, in some order; those of them that lie beside
- * each other are the hull. */
+/* Faces with no point outside, drawn at random as long as they lie beside each other:
+ * the hull, when there are enough. */
 static void
 some_lifted_hulls(const point2 *points, uint32_t n)
 {
@@ -380,7 +381,7 @@ some_lifted_hulls(const point2 *points, uint32_t n)
         break_list(&broken, n);
         compare_lifted(&p, broken);
     }
-    for (faces.count = 0; faces.count < 2 * n - 4; faces.count++) { /* without an area */
+    for (faces.count = 0; faces.count < 2 * n - 4; faces.count++) { /* no area */
         corner[faces.count][0] = corner[faces.count][1] = faces.count % n;
         corner[faces.count][2] = (faces.count + 1 + faces.count / n) % n;
     }
@@ -392,7 +393,8 @@ some_lifted_hulls(const point2 *points, uint32_t n)
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "What is enough to check is enough: triangulations and hulls");
+    test_begin(argc, argv,
+               "What is enough to check is enough: triangulations and hulls");
     test_grid_subsets("every list of triangles", every_list_of_triangles, 3);
     test_random("broken triangulations", broken_triangulations, 1500, 5);
     test_run("the pentagram is refused", the_pentagram_is_refused);

@@ -6,8 +6,8 @@
 
 #include <stdlib.h>
 
-/* Are the lifted points in one plane: all on one line, or on one circle? (The first three
- * are in no other, even if they are on a line: then it is upright.) */
+/* Are the lifted points in one plane: all on one line, or on one circle? (The first
+ * three are in no other, even if they are on a line: then it is upright.) */
 static bool
 is_flat(const site *p, const uint32_t *at, uint32_t u)
 {
@@ -50,7 +50,7 @@ check_support(const site *p, uint32_t n, triangle_list faces)
     return verdict_holds();
 }
 
-/* Each side joins two locations, and is there once the other way (so it is there once). */
+/* Each side joins two locations, and is there once the other way: so once in all. */
 static verdict
 check_sides(const site *p, triangle_list faces)
 {

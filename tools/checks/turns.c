@@ -1,4 +1,4 @@
-/* turns.c - who waits longest is next: a report of pushes, pops and flips, certified. */
+/* turns.c - a report of pushes, pops and flips: is it that of a queue? */
 #include "tools/checks/turns.h"
 
 #include "tools/checks/room.h"
@@ -29,7 +29,8 @@ twin_of(const record *r, halfedge_id e)
 {
     triangle_list l = r->list;
     for (halfedge_id f = 0; e < 3 * l.count && f < 3 * l.count; f++)
-        if (side_origin(l, f) == side_dest(l, e) && side_dest(l, f) == side_origin(l, e))
+        if (side_origin(l, f) == side_dest(l, e) &&
+            side_dest(l, f) == side_origin(l, e))
             return f;
     return NONE;
 }
@@ -60,7 +61,8 @@ is_locally_delaunay(const record *r, halfedge_id ab)
                           r->at[side_apex(l, ab)], r->at[side_apex(l, ba)]) <= 0;
 }
 
-/* Is e on the hull, or a side of the quadrilateral around cd, from within or without? */
+/* Is e on the hull, or a side of the quadrilateral around cd, seen from within or
+ * without? */
 static bool
 is_around(const record *r, halfedge_id e)
 {
@@ -80,7 +82,8 @@ refuted(const record *r, halfedge_id e, const char *what)
     if (e >= 3 * r->list.count)
         return verdict_refuted("half-edge %lu, outside, %s", (unsigned long)e, what);
     vertex_id a = side_origin(r->list, e), b = side_dest(r->list, e);
-    verdict v = verdict_refuted("edge %lu-%lu %s", (unsigned long)a, (unsigned long)b, what);
+    verdict v = verdict_refuted("edge %lu-%lu %s", (unsigned long)a, (unsigned long)b,
+                                what);
     return verdict_with(verdict_with(v, a), b);
 }
 
@@ -152,7 +155,8 @@ flip(record *r, halfedge_id ab)
 }
 
 verdict
-certify_turns(const site *points, triangle_list list, const turn *report, uint32_t count)
+certify_turns(const site *points, triangle_list list, const turn *report,
+              uint32_t count)
 {
     record r = {.at = points, .list = list, .cd = NONE};
     r.pushed = room_for(count, sizeof *r.pushed);

@@ -27,7 +27,8 @@ typedef struct turn {
  *   - before the first pop every inner edge is pushed; later, only the sides of the
  *     quadrilateral of a flip are, right after it: each that is an inner edge and does
  *     not wait, in any order and direction; those on the hull may be pushed, too
- *   - an edge is flipped right after it is popped, exactly if it is not locally Delaunay
+ *   - an edge is flipped right after it is popped, exactly if it is not locally
+ *     Delaunay
  *
  * Requires: the list is a triangulation. It becomes what the flips make of it, which
  * is Delaunay if the verdict holds (page 3.5, fig10.P5). Refuted: the edge that is
