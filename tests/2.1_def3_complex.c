@@ -166,7 +166,8 @@ a_complex_has_one_carrier(const point2 *points, uint32_t n)
             for (uint32_t i = 0; contains && i < list.count; i++) {
                 simplex_list rest = {list.count - i, list.simplex + i};
                 if (underlying_space_contains(points, rest, q, &t))
-                    CLAIM("def3.P2", s.dimension == t.dimension && simplex_is_face(s, t),
+                    CLAIM("def3.P2",
+                          s.dimension == t.dimension && simplex_is_face(s, t),
                           "two carriers of (%g,%g)", q.x, q.y);
             }
         }

@@ -512,10 +512,10 @@ draw_survey(FILE *file)
     svg page;
     svg_begin(&page, file, (svg_layout){3, 2, 240, 210, 2},
               "What the Delaunay triangulation is not, and what it is",
-              "Four sites whose Delaunay triangulation has an angle of 135 degrees; with "
-              "the other diagonal the largest is 98. Four sites whose Delaunay diagonal "
-              "is the longer one. A triangulation without obtuse angles, whose circles "
-              "are empty.");
+              "Four sites whose Delaunay triangulation has an angle of 135 degrees; "
+              "with the other diagonal the largest is 98. Four sites whose Delaunay "
+              "diagonal is the longer one. A triangulation without obtuse angles, "
+              "whose circles are empty.");
     draw_two_triangles(&page, angle, true, "Delaunay:\nan angle of 135 degrees");
     svg_angle(&page, angle[1], angle[2], angle[0], "135", SVG_BAD);
     draw_two_triangles(&page, angle, false, "not Delaunay:\nthe largest angle is 98");
