@@ -1,6 +1,5 @@
-/* The tools that make a student's tree: handout takes the solutions out, and nothing but
- * them, and refuses to write a tree that does not keep its promises; splice puts
- * single exercises of the reference into a student's file.
+/* handout makes a student's tree: it takes the solutions out, and nothing but them, and
+ * refuses to write a tree that does not keep its promises.
  *
  * Each trial plants a small project in a folder of its own, with two exercises and a
  * checker that only counts. And each week of the real project makes a tree in which
@@ -8,188 +7,9 @@
  *
  * Hypotheses: the programs are built, as `make test` does.
  */
-#include "tests/harness/harness.h"
-#include "tests/harness/tools.h"
+#include "tests/harness/small_project.h"
 
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
-
-/* ---- A small project. ---- */
-
-static const char *const header =
-    "/* a.h - a header. */\n"
-    "#ifndef A\n"
-    "#define A\n"
-    "/* Two times a. */\n"
-    "int twice(int a);\n"
-    "/* Half of an even number. */\n"
-    "int half(int a);\n"
-    "/* One more. */\n"
-    "int increment(int a);\n"
-    "#endif\n";
-
-static const char *const source =
-    "/* a.c - a source. */\n"
-    "#include \"chapters/2.3_a/a.h\"\n"
-    "\n"
-    "static int add(int a, int b);\n"
-    "\n"
-    "/* Adds, because { and \" are no more than characters here. */\n"
-    "static int\n"
-    "add(int a, int b)\n"
-    "{\n"
-    "    const char brace = '{', *quote = \"}\\\"{\";\n"
-    "    return a + b + (brace == quote[0]);\n"
-    "}\n"
-    "\n"
-    "/* Why it is right: twice is the sum of two. */\n"
-    "int\n"
-    "twice(int a)\n"
-    "{\n"
-    "    int first_summand = a; // Step 1\n"
-    "    int second_summand = a;\n"
-    "    int sum_of_the_two = add(first_summand, second_summand);\n"
-    "    return sum_of_the_two;\n"
-    "}\n"
-    "\n"
-    "int\n"
-    "increment(int a)\n"
-    "{\n"
-    "    return a + 1;\n"
-    "}\n"
-    "\n"
-    "int\n"
-    "half(int a)\n"
-    "{\n"
-    "    int candidate_number = 0;\n"
-    "    while (candidate_number + candidate_number < a)\n"
-    "        candidate_number = increment(candidate_number);\n"
-    "    return candidate_number;\n"
-    "}\n";
-
-static const char *const stubbed =
-    "/* a.c - a source. */\n"
-    "#include \"chapters/2.3_a/a.h\"\n"
-    "#include \"lib/todo.h\"\n"
-    "\n"
-    "int\n"
-    "twice(int a)\n"
-    "{\n"
-    "    TODO(\"2.3-a\");\n"
-    "}\n"
-    "\n"
-    "int\n"
-    "increment(int a)\n"
-    "{\n"
-    "    return a + 1;\n"
-    "}\n"
-    "\n"
-    "int\n"
-    "half(int a)\n"
-    "{\n"
-    "    TODO(\"2.3-b\");\n"
-    "}\n";
-
-static const char *const exercises =
-    "[2.3-a]\n"
-    "title    = Two times\n"
-    "function = chapters/2.3_a/a.c twice\n"
-    "helpers  = add\n"
-    "points   = right:2 quick:1\n"
-    "mode     = plain\n"
-    "stars    = 1\n"
-    "hours    = 1\n"
-    "hint1    = What is a sum?\n"
-    "hint2    = Draw it.\n"
-    "[2.3-b]\n"
-    "title    = Half of it\n"
-    "function = chapters/2.3_a/a.c half\n"
-    "points   = right:4\n"
-    "mode     = plain\n"
-    "needs    = 2.3-a\n";
-
-static const char *const page =
-    "# A page\n"
-    "See [the source](a.c), [later](../3.1_v/README.md), and\n"
-    "![a picture](figures/x.svg)![none](figures/none.svg).\n"
-    "\n"
-    "<!-- code: chapters/2.3_a/a.c twice -->\n```c\n```\n"
-    "<!-- code: chapters/2.3_a/a.c twice \"Step 1\" -->\n```c\n```\n"
-    "<!-- code: chapters/2.3_a/a.c add -->\n```c\n```\n"
-    "<!-- code: tests/t.c t -->\n```c\n```\n"
-    "<!-- code: chapters/2.3_a/a.c increment -->\n```c\n```\n";
-
-static const char *const page_without =
-    "# A page\n"
-    "See [the source](a.c), later, and\n"
-    "![a picture](figures/x.svg).\n"
-    "\n"
-    "<!-- code: chapters/2.3_a/a.c twice -->\n```c\n"
-    "int\ntwice(int a)\n{\n    TODO(\"2.3-a\");\n}\n```\n"
-    "*(Exercise 2.3-a: yours to write.)*\n"
-    "*(Exercise 2.3-a: yours to write.)*\n"
-    "*(This code is in `tests/t.c`, which is not in your tree.)*\n"
-    "<!-- code: chapters/2.3_a/a.c increment -->\n```c\n"
-    "int\nincrement(int a)\n{\n    return a + 1;\n}\n```\n";
-
-/* Runs PROGRAM LETTER, which prints how each property came out, and believes it. */
-static const char *const checker =
-    "#include \"tools/checks/checker.h\"\n"
-    "#include <stdio.h>\n"
-    "#include <string.h>\n"
-    "int\n"
-    "main(int argc, char **argv)\n"
-    "{\n"
-    "    char command[500], path[500], line[100];\n"
-    "    const char *folder = \"\";\n"
-    "    int passed = 1;\n"
-    "    for (int i = 1; i + 1 < argc; i++)\n"
-    "        if (strcmp(argv[i], \"--feedback\") == 0)\n"
-    "            folder = argv[i + 1];\n"
-    "    snprintf(command, sizeof command, \"%s %c\", argv[argc - 1], argv[1][4]);\n"
-    "    snprintf(path, sizeof path, \"%s/properties.tsv\", folder);\n"
-    "    FILE *table = fopen(path, \"w\"), *program = popen(command, \"r\");\n"
-    "    while (fgets(line, sizeof line, program) != NULL) {\n"
-    "        fputs(line, table);\n"
-    "        passed &= strstr(line, \"pass\") != NULL;\n"
-    "    }\n"
-    "    pclose(program);\n"
-    "    fclose(table);\n"
-    "    return passed ? ACCEPT : ACCEPT + 1;\n"
-    "}\n";
-
-static const char *const driver =
-    "#include \"chapters/2.3_a/a.h\"\n"
-    "#include \"lib/todo.h\"\n"
-    "#include \"tools/checks/wire.h\"\n"
-    "#include <stdio.h>\n"
-    "#include <stdlib.h>\n"
-    "static char exercise;\n"
-    "static void\n"
-    "say(const char *result)\n"
-    "{\n"
-    "    printf(\"right\\t%s\\tx\\n\", result);\n"
-    "    if (exercise == 'a')\n"
-    "        printf(\"quick\\t%s\\tx\\n\", result);\n"
-    "}\n"
-    "void\n"
-    "exercise_todo(const char *id)\n"
-    "{\n"
-    "    (void)id;\n"
-    "    say(\"todo\");\n"
-    "    exit(0);\n"
-    "}\n"
-    "int\n"
-    "main(int argc, char **argv)\n"
-    "{\n"
-    "    exercise = argv[argc - 1][0];\n"
-    "    if (exercise == 'a')\n"
-    "        say(twice(7) == 14 ? \"pass\" : \"fail\");\n"
-    "    else\n"
-    "        say(half(14) == 7 ? \"pass\" : \"fail\");\n"
-    "    return 0;\n"
-    "}\n";
 
 static bool
 file_is(const char *path, const char *bytes)
@@ -203,44 +23,6 @@ file_is(const char *path, const char *bytes)
     if (!same)
         snprintf(said, sizeof said, "%s", found);
     return same;
-}
-
-/* Enters the folder of the small project, with all its files as they should be. */
-static void
-plant(const char *folder_name)
-{
-    static char folder[2200], command[12000];
-    snprintf(folder, sizeof folder, "%s/%s.tree", build, folder_name);
-    snprintf(command, sizeof command,
-             "rm -rf '%s' && mkdir '%s' && cd '%s' && mkdir -p lib docs out "
-             "chapters/2.3_a/figures tools/checks/student tools/handout && "
-             "cp -R '%s/tools/handout/student' '%s'/tools/handout/ustar.[ch] tools/handout "
-             "&& cp '%s/docs/LICENSE' docs", folder, folder, folder, root, root, root);
-    must(run(command) == 0 && chdir(folder) == 0, said);
-    write_file("README.md", "# All\n");
-    write_file("lib/one.h", "/* one.h */\n");
-    write_file("lib/one.c", "#include \"lib/one.h\"\nint one = 1;\n");
-    write_file("lib/part.c", "#include \"lib/one.h\"\nextern int one;\n");
-    write_file("lib/other.h", "/* other.h */\n");
-    write_file("docs/assignments.ini", "[W1]\ntitle = All\nexercises = 2.3\n\n[up]\n"
-               "text = Up is down.\n");
-    write_file("chapters/2.3_a/a.h", header);
-    write_file("chapters/2.3_a/a.c", source);
-    write_file("chapters/2.3_a/exercises.ini", exercises);
-    write_file("chapters/2.3_a/README.md", page);
-    write_file("chapters/2.3_a/figures.c", "int main(void) { return 0; }\n");
-    write_file("chapters/2.3_a/fast_a.c", "int fast_a;\n");
-    write_file("chapters/2.3_a/figures/x.svg", "<svg/>\n");
-    write_file("tools/checks/checker.h", "#include \"lib/one.h\"\nenum { ACCEPT = 42 };\n");
-    write_file("tools/checks/checker.c", checker);
-    write_file("tools/checks/2.3.c", "#include \"tools/checks/checker.h\"\n");
-    write_file("tools/checks/wire.h", "/* wire.h */\n");
-    write_file("tools/checks/wire.c", "extern int wire;\n");
-    write_file("tools/checks/more.c", "#include \"tools/checks/wire.h\"\nextern int more;\n");
-    write_file("tools/checks/other.c", "#include \"tests/other.h\"\n");
-    write_file("tools/checks/3.1.c", "#include \"tools/checks/checker.h\"\n");
-    write_file("tools/checks/student/driver.c", driver);
-    write_file("tools/checks/student/2.3.c", "extern int more;\n");
 }
 
 /* ---- The tree. ---- */
@@ -458,77 +240,6 @@ variants_are_told(void)
           strstr(said, "no variant down"), "%s", said);
 }
 
-/* ---- splice. ---- */
-
-/* A student's file in a style of its own, with names of the reference that mean
- * something else. */
-static const char *const student =
-    "#include \"chapters/2.3_a/a.h\"\n"
-    "#if 0\n"
-    "int twice(int a) { none\n"
-    "#endif\n"
-    "static int add(int a) { return a; } /* } */ // {\n"
-    "__attribute__((noinline)) static int unused(const char *t) { return t[0] == '}'; }\n"
-    "struct pair { int a, b; } both = { 1, 2 };\n"
-    "int increment (int a) { return add(a) + 1 + 0 * unused(\"}\"); }\n"
-    "int\n"
-    "twice( int a ) /* twice(int a) { */ {\n"
-    "    if (a) { return 99; } return 98;\n"
-    "}\n"
-    "int half(int a){return add(a)+33;}";
-
-/* The reference's helper in the same words, but below the function. */
-static const char *const disordered =
-    "static int add(int a, int b);\n"
-    "int twice(int a) { return add(a, 1); }\n"
-    "int increment(int a) { return add(a, 1) ; }\n"
-    "int half(int a) { return a; }\n"
-    "static int\nadd(int a, int b)\n{\n    const char brace = '{', *quote = \"}\\\"{\";\n"
-    "    return a + /* and */ b + (brace == quote[0]);\n}\n";
-
-static const char *const values =
-    "#include \"chapters/2.3_a/a.h\"\n#include <stdio.h>\n"
-    "void exercise_todo(const char *id);\n"
-    "void exercise_todo(const char *id) { puts(id); }\n"
-    "int main(void) { printf(\"%d %d %d\\n\", twice(7), half(14), increment(3)); return 0; }\n";
-
-static void
-exercises_are_put_into_a_students_file(void)
-{
-    static const struct {
-        const char *arguments, *result;
-    } spliced[] = {
-        {". mine 2.3-a", "14 47 4\n"},
-        {". mine 2.3-b", "99 7 4\n"},
-        {". mine 2.3-a 2.3-b", "14 7 4\n"},
-        {"--only . mine 2.3-a", "99 7 4\n"},
-        {"--only . mine 2.3-b", "14 47 4\n"},
-    };
-    char command[500];
-    plant("tools_handout");
-    run("mkdir -p mine/chapters/2.3_a");
-    write_file("mine/chapters/2.3_a/a.c", student);
-    write_file("values.c", values);
-    for (size_t k = 0; k < sizeof spliced / sizeof *spliced; k++) {
-        CLAIM("splice", run_tool("splice", spliced[k].arguments) == 0, "%s", said);
-        write_file("spliced.c", said);
-        snprintf(command, sizeof command, "cc -I. spliced.c values.c -o values && ./values");
-        CLAIM("splice", run(command) == 0 && strcmp(said, spliced[k].result) == 0,
-              "splice %s: %s", spliced[k].arguments, said);
-    }
-    write_file("mine/chapters/2.3_a/a.c", disordered);
-    run_tool("splice", ". mine 2.3-a");
-    write_file("spliced.c", said);
-    CLAIM("splice.order", run("cc -Werror -I. spliced.c values.c -o values && ./values") == 0
-          && strcmp(said, "14 14 4\n") == 0, "%s", said);
-    write_file("mine/chapters/2.3_a/a.c", "int half(int a) { return a; }\n");
-    CLAIM("splice.missing", run_tool("splice", ". mine 2.3-a") == 1 &&
-          strstr(said, "no function twice"), "%s", said);
-    write_file("mine/chapters/2.3_a/a.c", "int half(int a) { return a;\n");
-    CLAIM("splice.brackets", run_tool("splice", ". mine 2.3-b") == 1 &&
-          strstr(said, "brackets do not match"), "%s", said);
-}
-
 /* ---- The project. ---- */
 
 /* Each week and each section: whatever can be seen without compiling. */
@@ -585,10 +296,8 @@ main(int argc, char **argv)
     test_run("students have questions of their own", students_have_questions_of_their_own);
     test_run("missing checks are reported", missing_checks_are_reported);
     test_run("variants are told", variants_are_told);
-    test_run("exercises are put into a student's file",
-             exercises_are_put_into_a_students_file);
     test_run("nothing of a solution is left in any week",
              nothing_of_a_solution_is_left_in_any_week);
     test_run("pages list the exercises", pages_list_the_exercises);
-    return test_end((test_minima){.trials = 12});
+    return test_end((test_minima){.trials = 11});
 }
