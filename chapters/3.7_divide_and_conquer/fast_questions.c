@@ -115,7 +115,8 @@ fast_near_turn(const fast_run *run, uint32_t p, uint32_t q, uint32_t r, double d
     if (x == 0 || y == 0 || 4 * x * y < run->whole_turn) // Step 1
         return (det > 0) - (det < 0);
 
-    if (fabs(det) > 0x1p-50 * x * y + DBL_MIN) // Step 2
+    double size = x * y; /* overflows if a product of the determinant does */
+    if (fabs(det) > 0x1p-50 * size + DBL_MIN) // Step 2
         return det > 0 ? +1 : -1;
 
     exact_pair turn = look(c, a, b, scale_for(x), scale_for(y)).turn; // Step 3
