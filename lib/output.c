@@ -81,13 +81,3 @@ output_commit(output *o)
     free_names(o);
     return failed ? TRI_CANNOT_WRITE : TRI_OK;
 }
-
-void
-output_discard(output *o)
-{
-    if (o->file != NULL && o->file != stdout)
-        fclose(o->file);
-    if (o->beside != NULL)
-        remove(o->beside);
-    free_names(o);
-}

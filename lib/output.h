@@ -35,8 +35,4 @@ tri_status output_begin(output *o, const char *path);
  */
 tri_status output_commit(output *o);
 
-/* Removes the file beside, when the work came to nothing, and zeroes *o; a
- * zeroed struct is accepted. */
-void output_discard(output *o);
-
 #endif
