@@ -1,9 +1,8 @@
 /* Section 3.1: two families of local coordinates. A site p with a bounded cell
- * is a weighted mean of the sites around it, with weights proportional to
+ * is a weighted mean of the sites q around it, with weights proportional to
  *
- *   l_q / |pq|   (Laplace)   l_q the length of the edge between the cells of p
- * and q A_q          (Sibson)    A_q the area that p's cell takes from that of
- * q
+ *   l_q / |pq|   (Laplace)   l_q the length of the edge towards q,
+ *   A_q          (Sibson)    A_q the area that p's cell takes from q's.
  *
  * Hypotheses: the cell of p is bounded. Here the coordinates are small whole
  * numbers, so that all weights are fractions, and the identities hold exactly.
