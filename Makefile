@@ -47,8 +47,11 @@ PLAIN   = $(LIBRARY:%.c=$(BUILD)/plain/%.o)
 COUNTED = $(LIBRARY:%.c=$(BUILD)/counted/%.o)
 
 all: $(BUILD)/libtri.a $(BUILD)/tri $(BUILD)/counted/tri $(BUILD)/weave $(BUILD)/jail \
-     $(BUILD)/handout $(BUILD)/splice \
-     $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/compare/counts $(BUILD)/compare/times $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) $(BUILD)/signs $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
+     $(BUILD)/handout $(BUILD)/splice $(BUILD)/signs \
+     $(BUILD)/bench/bench $(BUILD)/bench/tiers \
+     $(BUILD)/compare/counts $(BUILD)/compare/times \
+     $(TOOLS:%=$(BUILD)/%) $(CHECKS:%=$(BUILD)/checker_%) \
+     $(TESTS:%=$(BUILD)/test/%) $(FIGURES:%=$(BUILD)/figures/%)
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | \
