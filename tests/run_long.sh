@@ -53,7 +53,7 @@ try_flags() {
         targets="$targets $long/$1/test/$name"
     done
     # shellcheck disable=SC2086 # several targets, several tests
-    if make -s BUILD="$long/$1" CC="$2" CFLAGS="$3" \
+    if MAKELEVEL=0 MAKEFLAGS='' make -s BUILD="$long/$1" CC="$2" CFLAGS="$3" \
         POSIX="-D_POSIX_C_SOURCE=200809L ${4-}" $targets; then
         TEST_ARGS='--trials-factor 10' tests/run.sh "$long/$1" $predicates | note "$1"
     else
