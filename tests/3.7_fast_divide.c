@@ -25,7 +25,8 @@ static fast_limits
 some_limits(uint32_t n)
 {
     random_source *r = test_random_source();
-    fast_limits limits = {.few = 1 + random_below(r, 9), .job = 1 + random_below(r, n + 2),
+    fast_limits limits = {.few = 1 + random_below(r, 9),
+                          .job = 1 + random_below(r, n + 2),
                           .threads = random_below(r, 16) == 0 ? 3 : 1};
     return limits;
 }
@@ -103,12 +104,15 @@ threads_change_nothing(const point2 *points, uint32_t n)
             first = m;
             continue;
         }
-        CLAIM("fast.P6", m.triangles == first.triangles && m.locations == first.locations &&
-              m.ghost_leaving == first.ghost_leaving &&
-              (n == 0 || memcmp(m.leaving, first.leaving, n * sizeof *m.leaving) == 0) &&
-              (m.triangles == 0 || memcmp(m.halfedge, first.halfedge, 3 * m.triangles *
-                                          sizeof *m.halfedge) == 0),
-              "%u threads make another mesh", threads[i]);
+        CLAIM(
+            "fast.P6",
+            m.triangles == first.triangles && m.locations == first.locations &&
+                m.ghost_leaving == first.ghost_leaving &&
+                (n == 0 ||
+                 memcmp(m.leaving, first.leaving, n * sizeof *m.leaving) == 0) &&
+                (m.triangles == 0 || memcmp(m.halfedge, first.halfedge,
+                                            3 * m.triangles * sizeof *m.halfedge) == 0),
+            "%u threads make another mesh", threads[i]);
         mesh_free(&m);
     }
     mesh_free(&first);
@@ -116,7 +120,8 @@ threads_change_nothing(const point2 *points, uint32_t n)
 
 /* ---- The questions. ---- */
 
-/* The points as sites of a run that has the bounds for them. The caller frees the sites. */
+/* The points as sites of a run that has the bounds for them. The caller frees the
+ * sites. */
 static fast_run
 run_of(const point2 *points, uint32_t n, double unit)
 {
@@ -129,7 +134,8 @@ run_of(const point2 *points, uint32_t n, double unit)
     return run;
 }
 
-/* Asks everything about four sites l, r, p and q; `claim` is what says that it is right. */
+/* Asks everything about four sites l, r, p and q; `claim` is what says that it is
+ * right. */
 #define EXPECT_RIGHT_ANSWERS(claim, at, unit) do { \
         fast_run run = run_of(at, 4, unit); \
         int side = oracle_orient2d(at[0], at[1], at[2]); \
@@ -278,8 +284,8 @@ stepped(double x)
 }
 
 /* Points of a circle as doubles come; rectangles, of which the corner at the origin is
- * moved by as little as the bounds are; three points in a row that miss each other by as
- * little; and coordinates of every magnitude. */
+ * moved by as little as the bounds are; three points in a row that miss each other by
+ * as little; and coordinates of every magnitude. */
 static void
 more_bits_are_enough(void)
 {
@@ -372,11 +378,11 @@ uniform_points_cost_little(void)
     CLAIM("fast.P7", fast_divide_triangulate(points, N, NULL, &m) == TRI_OK, "no mesh");
     double orient = (double)(predicate_count.orient2d - before.orient2d) / N;
     double circle = (double)(predicate_count.incircle - before.incircle) / N;
-    uint64_t closer = predicate_count.signs + predicate_count.expansions - before.signs -
-                      before.expansions;
+    uint64_t closer = predicate_count.signs + predicate_count.expansions -
+                      before.signs - before.expansions;
     CLAIM("fast.P7", orient < 9.5 && circle < 8.2 && closer == 0,
-          "%g orientation and %g incircle tests a point, %u of them for exact.c", orient,
-          circle, (unsigned)closer);
+          "%g orientation and %g incircle tests a point, %u of them for exact.c",
+          orient, circle, (unsigned)closer);
     mesh_free(&m);
     free(points);
 }
@@ -385,7 +391,8 @@ uniform_points_cost_little(void)
 static void
 scales_change_nothing(const point2 *points, uint32_t n)
 {
-    point2 *whole = whole_points(points, n, 50), *scaled = malloc((n + 1) * sizeof *scaled);
+    point2 *whole = whole_points(points, n, 50),
+           *scaled = malloc((n + 1) * sizeof *scaled);
     int k = (int)random_below(test_random_source(), 2090) - 1074;
     for (uint32_t i = 0; i < n; i++)
         scaled[i] = (point2){ldexp(whole[i].x, k), ldexp(whole[i].y, k)};
@@ -393,8 +400,10 @@ scales_change_nothing(const point2 *points, uint32_t n)
     predicate_counts before = predicate_count;
     CLAIM("fast.P5", fast_divide_triangulate(whole, n, NULL, &m) == TRI_OK &&
           fast_divide_triangulate(scaled, n, NULL, &z) == TRI_OK, "no mesh");
-    CLAIM("fast.P5", predicate_count.wide == before.wide &&
-          predicate_count.expansions == before.expansions, "scaled by 2^%d: not cheap", k);
+    CLAIM("fast.P5",
+          predicate_count.wide == before.wide &&
+              predicate_count.expansions == before.expansions,
+          "scaled by 2^%d: not cheap", k);
     CLAIM("fast.P5", m.triangles == z.triangles && (m.triangles == 0 ||
           memcmp(m.halfedge, z.halfedge, 3 * m.triangles * sizeof *m.halfedge) == 0),
           "scaled by 2^%d: another mesh", k);

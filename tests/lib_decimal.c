@@ -226,7 +226,8 @@ set_locale(const char *name)
 }
 
 /* A locale with a decimal comma: made for the occasion where localedef (of the C
- * library) can make one, as machines need not have any installed; else one of theirs. */
+ * library) can make one, as machines need not have any installed; else one of
+ * theirs. */
 static bool
 set_comma_locale(const char *folder)
 {

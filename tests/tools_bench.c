@@ -98,8 +98,8 @@ ratios_are_ratios(void)
     CLAIM("bench.ratios", status == 0, "%s", read_scratch("bench.csv").text);
 }
 
-/* A quadrangle with each of its diagonals, of which the short one, 1-3, is Delaunay, and
- * with half of it; points in order, and not. */
+/* A quadrangle with each of its diagonals, of which the short one, 1-3, is Delaunay,
+ * and with half of it; points in order, and not. */
 static void
 wrong_answers_are_refused(void)
 {
@@ -114,19 +114,22 @@ wrong_answers_are_refused(void)
     } asked[] = {
         {"the Delaunay triangulation",
          certify_triangles(at, 4, (triangle_list){2, good}, true), true, "Delaunay"},
-        {"the other diagonal",
-         certify_triangles(at, 4, (triangle_list){2, bad}, true), false, "wrong: "},
+        {"the other diagonal", certify_triangles(at, 4, (triangle_list){2, bad}, true),
+         false, "wrong: "},
         {"the other diagonal, not said to be Delaunay",
-         certify_triangles(at, 4, (triangle_list){2, bad}, false), true, "triangulation"},
-        {"one triangle only",
-         certify_triangles(at, 4, (triangle_list){1, good}, false), false, "wrong: "},
+         certify_triangles(at, 4, (triangle_list){2, bad}, false), true,
+         "triangulation"},
+        {"one triangle only", certify_triangles(at, 4, (triangle_list){1, good}, false),
+         false, "wrong: "},
         {"two points", certify_sorted(line, 2), true, "sorted"},
-        {"a point after a larger one", certify_sorted(line, 3), false, "wrong: point 2"},
+        {"a point after a larger one", certify_sorted(line, 3), false,
+         "wrong: point 2"},
     };
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++)
         CLAIM("bench.certifies",
               asked[i].given.right == asked[i].right &&
-                  strncmp(asked[i].given.text, asked[i].text, strlen(asked[i].text)) == 0,
+                  strncmp(asked[i].given.text, asked[i].text, strlen(asked[i].text)) ==
+                      0,
               "%s: %s", asked[i].what, asked[i].given.text);
 }
 

@@ -34,8 +34,9 @@ compare_lists(const problem *p, triangle_list list)
 {
     bool right = is_triangulation_slowly(p, list);
     verdict v = certify_triangulation(p->at, p->n, list);
-    CLAIM("certify.triangulation", v.holds == right, "%u points, %u triangles: %s, and %s",
-          (unsigned)p->n, (unsigned)list.count, v.holds ? "accepted" : v.because,
+    CLAIM("certify.triangulation", v.holds == right,
+          "%u points, %u triangles: %s, and %s", (unsigned)p->n, (unsigned)list.count,
+          v.holds ? "accepted" : v.because,
           right ? "they are a triangulation" : "they are not");
     right = right && is_delaunay_slowly(p, list);
     v = certify_delaunay(p->at, p->n, list);
@@ -141,7 +142,8 @@ broken_triangulations(const point2 *points, uint32_t n)
 }
 
 /* A star of five triangles around a point: each directed side once, all triangles
- * counterclockwise, v - e + f = 1, a boundary that only turns left; and it winds twice. */
+ * counterclockwise, v - e + f = 1, a boundary that only turns left; and it winds
+ * twice. */
 static void
 the_pentagram_is_refused(void)
 {
@@ -166,7 +168,8 @@ the_pentagram_is_refused(void)
 
 /* ---- Hulls. ---- */
 
-/* The point after a on the hull: the nearest such that none is right of the way there. */
+/* The point after a on the hull: the nearest such that none is right of the way
+ * there. */
 static uint32_t
 next_on_hull(const problem *p, uint32_t a)
 {
@@ -227,7 +230,8 @@ compare_hull(const problem *p, const vertex_id *hull, uint32_t count)
     verdict v = certify_hull(p->at, p->n, hull, count);
     CLAIM("certify.hull", v.holds == right, "%u vertices, from %u on: %s, and %s",
           (unsigned)count, count > 0 ? (unsigned)hull[0] : 0,
-          v.holds ? "accepted" : v.because, right ? "they are the hull" : "they are not");
+          v.holds ? "accepted" : v.because,
+          right ? "they are the hull" : "they are not");
 }
 
 /* Every row of at most five different points is, or is not, the hull. */
@@ -275,7 +279,8 @@ outside(site a, site b, site c, site d)
            area(a, b, d) * (height(c) - height(d));
 }
 
-/* The corners of face t in a coordinate plane where it has an area, counterclockwise. */
+/* The corners of face t in a coordinate plane where it has an area,
+ * counterclockwise. */
 static void
 flatten(const problem *p, triangle_list faces, uint32_t t, const site like[3],
         site seen[3])

@@ -16,8 +16,8 @@
 
 /* ---- Complexes. ---- */
 
-/* Is there a line with s on one side and t on the other, and not both of them in it? With
- * two points of s and t on it, or square to two: others need not be tried. */
+/* Is there a line with s on one side and t on the other, and not both of them in it?
+ * With two points of s and t on it, or square to two: others need not be tried. */
 static bool
 interiors_are_disjoint(const site *s, int s_count, const site *t, int t_count)
 {
@@ -93,7 +93,8 @@ some_lists_of_simplices(const point2 *points, uint32_t n)
                 faces_close(&list, &f);
         }
         if (list.count > 0 && some(3) == 0)
-            list.item[some(list.count)] = list.item[list.count - 1]; /* drop, or repeat */
+            list.item[some(list.count)] =
+                list.item[list.count - 1]; /* drop, or repeat */
         if (list.count > 0 && some(2) == 0)
             list.count--;
         bool right = is_complex_slowly(&p, &list);
@@ -160,8 +161,8 @@ every_set_of_edges(const point2 *points, uint32_t n)
 
 /* ---- Voronoi diagrams. ---- */
 
-/* On the bisector of p and q, at the middle plus t times the normal, r is farther than p
- * exactly where a + b t > 0. */
+/* On the bisector of p and q, at the middle plus t times the normal, r is farther than
+ * p exactly where a + b t > 0. */
 static void
 half_line(site p, site q, site r, int64_t *a, int64_t *b)
 {
@@ -201,22 +202,26 @@ regions_and_circles(const point2 *points, uint32_t n)
             site a = p.at[i], b = p.at[j];
             if (same(a, b))
                 continue;
-            CLAIM("certify.edges", share_an_edge(p.at, p.n, a, b) ==
-                  share_an_edge_slowly(&p, a, b), "%u and %u", (unsigned)i, (unsigned)j);
+            CLAIM("certify.edges",
+                  share_an_edge(p.at, p.n, a, b) == share_an_edge_slowly(&p, a, b),
+                  "%u and %u", (unsigned)i, (unsigned)j);
             for (uint32_t k = 0; k < p.n; k++) {
                 site c = p.at[k];
                 /* The centre is (x, y) / d; distances are compared, multiplied by d. */
-                int64_t d = 2 * area(a, b, c), bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x,
-                        cy = c.y - a.y, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+                int64_t d = 2 * area(a, b, c), bx = b.x - a.x, by = b.y - a.y,
+                        cx = c.x - a.x, cy = c.y - a.y, b2 = bx * bx + by * by,
+                        c2 = cx * cx + cy * cy;
                 int64_t x = cy * b2 - by * c2, y = bx * c2 - cx * b2;
                 bool empty = true;
                 for (uint32_t l = 0; l < p.n; l++) {
-                    int64_t rx = d * (p.at[l].x - a.x) - x, ry = d * (p.at[l].y - a.y) - y;
+                    int64_t rx = d * (p.at[l].x - a.x) - x,
+                            ry = d * (p.at[l].y - a.y) - y;
                     empty = empty && rx * rx + ry * ry >= x * x + y * y;
                 }
                 if (d != 0)
-                    CLAIM("certify.circles", circle_is_empty(p.at, p.n, a, b, c) == empty,
-                          "%u, %u, %u", (unsigned)i, (unsigned)j, (unsigned)k);
+                    CLAIM("certify.circles",
+                          circle_is_empty(p.at, p.n, a, b, c) == empty, "%u, %u, %u",
+                          (unsigned)i, (unsigned)j, (unsigned)k);
             }
         }
 }
@@ -234,22 +239,23 @@ directions_in_order(const point2 *points, uint32_t n)
 {
     problem s = problem_of(points, n < 6 ? n : 6);
     for (uint32_t i = 0; i < s.n * s.n * s.n * s.n; i++) {
-        site p = s.at[i % s.n], from = s.at[i / s.n % s.n], q = s.at[i / s.n / s.n % s.n],
-             r = s.at[i / s.n / s.n / s.n];
+        site p = s.at[i % s.n], from = s.at[i / s.n % s.n],
+             q = s.at[i / s.n / s.n % s.n], r = s.at[i / s.n / s.n / s.n];
         if (same(p, from) || same(p, q) || same(p, r))
             continue;
         double first = turn(p, from, q), second = turn(p, from, r);
         if (fabs(first - second) > 1e-9)
             CLAIM("certify.turns", is_met_before(p, from, q, r) == (first < second),
-                  "(%d,%d) from (%d,%d): (%d,%d) or (%d,%d)?", p.x, p.y, from.x, from.y, q.x,
-                  q.y, r.x, r.y);
+                  "(%d,%d) from (%d,%d): (%d,%d) or (%d,%d)?", p.x, p.y, from.x, from.y,
+                  q.x, q.y, r.x, r.y);
     }
 }
 
 int
 main(int argc, char **argv)
 {
-    test_begin(argc, argv, "What is enough to check is enough: complexes, trees, diagrams");
+    test_begin(argc, argv,
+               "What is enough to check is enough: complexes, trees, diagrams");
     test_grid_subsets("lists of simplices", some_lists_of_simplices, 3);
     test_grid_subsets("every set of edges is a tree or not", every_set_of_edges, 3);
     test_random("regions and circles", regions_and_circles, 1000, 5);

@@ -161,7 +161,8 @@ flip_around(sphere *s, uint32_t u, vertex_id p, uint32_t n)
                 uint32_t degree = sphere_degree(s, p);
                 bool right = may_flip(s, a, b, p), done = sphere_flip(s, a, b, p);
                 CLAIM("certify.flip", right == done, "%u-%u, opposite %u: %s",
-                      (unsigned)a, (unsigned)b, (unsigned)p, done ? "flipped" : "refused");
+                      (unsigned)a, (unsigned)b, (unsigned)p,
+                      done ? "flipped" : "refused");
                 CLAIM("certify.flip", sphere_degree(s, p) == degree + done, "%u",
                       (unsigned)p);
                 if (done)

@@ -2,8 +2,8 @@
  * its share, ends, and nothing outside has changed; an honest program does not notice.
  *
  * Hypotheses: Linux with seccomp and Landlock, and a compiler that links statically;
- * what is missing is said, and not asked about. Run by root, everything is tried as root
- * and as an ordinary user. The program that tries is tests/grading/attack.c.
+ * what is missing is said, and not asked about. Run by root, everything is tried as
+ * root and as an ordinary user. The program that tries is tests/grading/attack.c.
  */
 #include "tests/harness/harness.h"
 #include "tests/harness/shell.h"
@@ -85,19 +85,23 @@ static const attempt user_alone[] = {
 /* "" or what runs the jail as another user. Of this test's own. */
 static const char *as = "";
 
-/* Runs one attempt, with its output in a pipe; the report's first line is in $d/report. */
+/* Runs one attempt, with its output in a pipe; the report's first line is in
+ * $d/report. */
 static void
 attempt_one(attempt a, const char *claim)
 {
-    shell("exec 2>$d/noise; rm -f $d/box/report; cd $d/box && "
-          "%s ./jail run %s --report report -- ./attack %s 2>&1 3</dev/null 4>/dev/null "
-          "| head -c 1000 >$d/out", as, a.options, a.what);
+    shell(
+        "exec 2>$d/noise; rm -f $d/box/report; cd $d/box && "
+        "%s ./jail run %s --report report -- ./attack %s 2>&1 3</dev/null 4>/dev/null "
+        "| head -c 1000 >$d/out",
+        as, a.options, a.what);
     content report = read_scratch("box/report");
     CLAIM(claim, strncmp(report.text, a.end, strlen(a.end)) == 0,
-          "%s jail run %s -- attack %s: %s and not %s; it says: %s", as, a.options, a.what,
-          report.text, a.end, read_scratch("out").text);
-    CLAIM("jail.outside", shell("cd $d/box && test -r treasure && test ! -e loot && "
-                                "test \"$(ls -l treasure)\" = \"$(cat $d/treasure)\"") == 0,
+          "%s jail run %s -- attack %s: %s and not %s; it says: %s", as, a.options,
+          a.what, report.text, a.end, read_scratch("out").text);
+    CLAIM("jail.outside",
+          shell("cd $d/box && test -r treasure && test ! -e loot && "
+                "test \"$(ls -l treasure)\" = \"$(cat $d/treasure)\"") == 0,
           "after %s the file outside is not as it was", a.what);
 }
 
@@ -111,12 +115,16 @@ static void
 an_honest_program_notices_nothing(void)
 {
     shell("rm -f $d/box/report");
-    int status = shell("cd $d/box && printf 12345678 | { "
-                       "%s ./jail run --require-sandbox --report report -- ./attack honest "
-                       "3<&0 4>&1 2>&1 | cat >$d/out; }", as);
-    CLAIM("jail.honest", status == 0 && has("out", "to people\n") &&
-          has("out", "sorted 1\n") && has("out", "12345678"), "it says: %s, and ends: %s",
-          read_scratch("out").text, read_scratch("box/report").text);
+    int status =
+        shell("cd $d/box && printf 12345678 | { "
+              "%s ./jail run --require-sandbox --report report -- ./attack honest "
+              "3<&0 4>&1 2>&1 | cat >$d/out; }",
+              as);
+    CLAIM("jail.honest",
+          status == 0 && has("out", "to people\n") && has("out", "sorted 1\n") &&
+              has("out", "12345678"),
+          "it says: %s, and ends: %s", read_scratch("out").text,
+          read_scratch("box/report").text);
     CLAIM("jail.report", has("box/report", "exit 0\t") &&
           has("box/report", "landlock limits seccomp\n"), "%s",
           read_scratch("box/report").text);
@@ -129,11 +137,13 @@ it_ends_as_the_program_does(void)
     ATTEMPT_ALL(harmless, "jail.report");
     int exits = shell("cd $d/box && %s ./jail run -- ./attack exit", as);
     CLAIM("jail.alike", exits == 42, "exit status %d and not 42", exits);
-    int aborts = shell("cd $d/box && (%s ./jail run -- ./attack assert; exit $?) 2>$d/err",
-                       as);
+    int aborts =
+        shell("cd $d/box && (%s ./jail run -- ./attack assert; exit $?) 2>$d/err", as);
     CLAIM("jail.alike", aborts == 128 + 6, "status %d and not that of SIGABRT", aborts);
-    int late = shell("cd $d/box && (%s ./jail run --wall 0.3 -- ./attack stop; exit $?) "
-                     "2>$d/err", as);
+    int late =
+        shell("cd $d/box && (%s ./jail run --wall 0.3 -- ./attack stop; exit $?) "
+              "2>$d/err",
+              as);
     CLAIM("jail.alike", late == 128 + 24, "status %d and not that of SIGXCPU", late);
     int none = shell("cd $d/box && %s ./jail run -- ./none 2>$d/err", as);
     CLAIM("jail.alike", none == 125 && has("err", "./none: "), "status %d: %s", none,
@@ -174,19 +184,23 @@ nothing_survives_the_jail(void)
         int status = shell(
             "cd $d/box && mkfifo pipe && { %s ./jail run -- ./attack name >pipe & } && "
             "jail=$! && { read pid && test -n \"$pid\" && kill -0 $pid && "
-            "kill -%s $jail && sleep 0.2 && ! grep -q 'State:.[RSDT]' /proc/$pid/status "
+            "kill -%s $jail && sleep 0.2 && ! grep -q 'State:.[RSDT]' "
+            "/proc/$pid/status "
             "2>/dev/null; } <pipe; "
-            "status=$?; rm pipe; exit $status", as, signals[i]);
-        CLAIM("jail.orphans", status == 0, "after SIG%s of the jail the program lives on",
-              signals[i]);
+            "status=$?; rm pipe; exit $status",
+            as, signals[i]);
+        CLAIM("jail.orphans", status == 0,
+              "after SIG%s of the jail the program lives on", signals[i]);
     }
 }
 
 static void
 it_says_when_a_layer_is_missing(void)
 {
-    int status = shell("cd $d/box && %s ./jail run --require-sandbox --without seccomp -- "
-                       "./attack exit 2>$d/err", as);
+    int status =
+        shell("cd $d/box && %s ./jail run --require-sandbox --without seccomp -- "
+              "./attack exit 2>$d/err",
+              as);
     CLAIM("jail.required", status == 125 && has("err", "no seccomp"), "status %d: %s",
           status, read_scratch("err").text);
     status = shell("cd $d/box && mkdir -p work && %s ./jail compile --require-sandbox "
@@ -210,18 +224,22 @@ other_machines_have_less_and_say_so(void)
             printf("# skipped: no compiler for %s, or no qemu-user\n", m);
             continue;
         }
-        int status = shell("cd tools/grade && %s-linux-gnu-gcc -std=c11 -static -I../.. "
-                           "-Wall -Wextra -Wconversion -Werror jail.c inside.c outside.c "
-                           "confine.c filter.c -o $d/box/jail_%s 2>$d/err", m, m);
+        int status =
+            shell("cd tools/grade && %s-linux-gnu-gcc -std=c11 -static -I../.. "
+                  "-Wall -Wextra -Wconversion -Werror jail.c inside.c outside.c "
+                  "confine.c filter.c -o $d/box/jail_%s 2>$d/err",
+                  m, m);
         CLAIM("jail.machines", status == 0, "%s: %s", m, read_scratch("err").text);
         status = shell("cd $d/box && qemu-%s ./jail_%s --layers >$d/out", m, m);
         CLAIM("jail.machines", status == 1 && has("out", "seccomp   off\n") &&
               has("out", "limits    on\n"), "%s: status %d: %s", m, status,
               read_scratch("out").text);
-        status = shell("cd $d/box && qemu-%s ./jail_%s run --require-sandbox -- ./attack "
-                       "exit 2>$d/err", m, m);
-        CLAIM("jail.machines", status == 125 && has("err", "no seccomp"), "%s: status %d: %s",
-              m, status, read_scratch("err").text);
+        status =
+            shell("cd $d/box && qemu-%s ./jail_%s run --require-sandbox -- ./attack "
+                  "exit 2>$d/err",
+                  m, m);
+        CLAIM("jail.machines", status == 125 && has("err", "no seccomp"),
+              "%s: status %d: %s", m, status, read_scratch("err").text);
     }
 }
 
@@ -234,9 +252,11 @@ compile(const char *options, const char *text)
     FILE *file = fopen(in_scratch("box/src/a.c").text, "w");
     if (file == NULL || fputs(text, file) < 0 || fclose(file) != 0)
         return -1;
-    return shell("cd $d/box && rm -rf work report && mkdir work && chmod 777 work && "
-                 "(SECRET=leaked %s ./jail compile --report report %s -r src -w work -- "
-                 "${CC-cc} -static -c src/a.c -o work/a.o; exit $?) 2>$d/err", as, options);
+    return shell(
+        "cd $d/box && rm -rf work report && mkdir work && chmod 777 work && "
+        "(SECRET=leaked %s ./jail compile --report report %s -r src -w work -- "
+        "${CC-cc} -static -c src/a.c -o work/a.o; exit $?) 2>$d/err",
+        as, options);
 }
 
 static void
@@ -244,27 +264,31 @@ a_compiler_works_inside(void)
 {
     int status = compile("--require-sandbox", "#include <stdio.h>\n"
                          "int main(void) { puts(\"hello\"); return 0; }\n");
-    CLAIM("jail.compile", status == 0, "status %d: %s", status, read_scratch("err").text);
-    status = shell("cd $d/box && %s ./jail compile -w work -- ${CC-cc} -static work/a.o "
-                   "-o work/a 2>$d/err && %s ./jail run -- work/a | cat >$d/out", as, as);
-    CLAIM("jail.compile", status == 0 && has("out", "hello\n"), "status %d: %s%s", status,
-          read_scratch("err").text, read_scratch("out").text);
+    CLAIM("jail.compile", status == 0, "status %d: %s", status,
+          read_scratch("err").text);
+    status =
+        shell("cd $d/box && %s ./jail compile -w work -- ${CC-cc} -static work/a.o "
+              "-o work/a 2>$d/err && %s ./jail run -- work/a | cat >$d/out",
+              as, as);
+    CLAIM("jail.compile", status == 0 && has("out", "hello\n"), "status %d: %s%s",
+          status, read_scratch("err").text, read_scratch("out").text);
 }
 
 /* Whatever a source asks of the compiler, nothing outside is read or written. */
 static void
 a_compiler_reads_and_writes_where_it_may(void)
 {
-    CLAIM("jail.reads", compile("", "#include \"../treasure\"\n") != 0, "it is included");
+    CLAIM("jail.reads", compile("", "#include \"../treasure\"\n") != 0,
+          "it is included");
     CLAIM("jail.reads", compile("", "__asm__(\".incbin \\\"treasure\\\"\");\n") != 0,
           "it is assembled");
     CLAIM("jail.reads", compile("", "#include \"/etc/passwd\"\n") != 0 &&
           !has("err", "root:"), "the users are seen: %s", read_scratch("err").text);
     CLAIM("jail.reads", shell("cp $d/box/treasure $d/box/src/known.h") == 0 &&
           compile("", "#include \"known.h\"\n") == 0, "what may be read is not");
-    static const char *const elsewhere[] = {"touch loot", "rm treasure", "mv treasure work/",
-                                            "chmod 0 treasure", "ln treasure work/link",
-                                            "cp treasure work/"};
+    static const char *const elsewhere[] = {
+        "touch loot",       "rm treasure",           "mv treasure work/",
+        "chmod 0 treasure", "ln treasure work/link", "cp treasure work/"};
     for (size_t i = 0; i < sizeof elsewhere / sizeof elsewhere[0]; i++) {
         if (strncmp(elsewhere[i], "chmod", 5) == 0 && as[0] != '\0')
             continue; /* Landlock lets owners change modes, and this user is none */
@@ -274,8 +298,10 @@ a_compiler_reads_and_writes_where_it_may(void)
               "test ! -e loot && test ! -e work/treasure && test ! -e work/link") == 0,
               "%s: status %d", elsewhere[i], status);
     }
-    int leaked = shell("cd $d/box && SECRET=leaked %s ./jail compile -w work -- /bin/sh -c "
-                       "'test -n \"$SECRET$HOME\"' 7<treasure", as);
+    int leaked =
+        shell("cd $d/box && SECRET=leaked %s ./jail compile -w work -- /bin/sh -c "
+              "'test -n \"$SECRET$HOME\"' 7<treasure",
+              as);
     CLAIM("jail.environment", leaked == 1, "status %d: it has an environment", leaked);
     leaked = shell("cd $d/box && %s ./jail compile -w work -- /bin/sh -c 'cat <&7' "
                    "7<treasure >$d/out 2>&1", as);
@@ -344,7 +370,8 @@ main(int argc, char **argv)
         return 0;
     }
     run_all();
-    test_run("other machines have less and say so", other_machines_have_less_and_say_so);
+    test_run("other machines have less and say so",
+             other_machines_have_less_and_say_so);
     if (geteuid() == 0) {
         as = "./attack as_nobody";
         run_all();

@@ -168,8 +168,9 @@ pictures_and_statistics(void)
     run_tri(0, "triangulate --algorithm fast --threads 3 -o $d/f3.ele $d/f.node");
     CLAIM("tri.threads", shell("cmp -s $d/f.ele $d/f3.ele") == 0,
           "--threads changes the result");
-    run_tri(0, "triangulate --algorithm incremental --locator walk --seed 3 -o $d/w.ele "
-               "docs/data/timezones.csv");
+    run_tri(0,
+            "triangulate --algorithm incremental --locator walk --seed 3 -o $d/w.ele "
+            "docs/data/timezones.csv");
     run_tri(0, "triangulate --algorithm incremental --locator history --seed 3 -o "
                "$d/h.ele docs/data/timezones.csv");
     run_tri(0, "check --delaunay docs/data/timezones.csv $d/h.ele");
@@ -262,9 +263,10 @@ bad_binary_files_are_refused(void)
         snprintf(arguments, sizeof arguments, "triangulate %s", path);
         snprintf(begin, sizeof begin, "%s: binary points", path);
         run_tri(2, arguments);
-        CLAIM("tri.binary", strncmp(read_scratch("err").text, begin, strlen(begin)) == 0 &&
-              one_line("err") && !has("out", "\n"), "%s is refused with: %s", path,
-              read_scratch("err").text);
+        CLAIM("tri.binary",
+              strncmp(read_scratch("err").text, begin, strlen(begin)) == 0 &&
+                  one_line("err") && !has("out", "\n"),
+              "%s is refused with: %s", path, read_scratch("err").text);
     }
     globfree(&files);
     int status = shell("$tri generate uniform 500 -o $d/b.node && "
@@ -299,18 +301,35 @@ what_is_no_file_is_refused(void)
 static void
 wrong_arguments_are_explained(void)
 {
-    const char *const arguments[] = {
-        "triangulate", "triangulate a b", "triangulate --algorithm", "check a",
-        "triangulate --algorithm bubble a", "triangulate --fast a", "hull",
-        "triangulate --direction 0,0 a", "triangulate --direction 1 a",
-        "triangulate --cuts skew a", "triangulate --locator luck a",
-        "triangulate --seed x a", "triangulate --threads 0 a", "triangulate --threads two a",
-        "triangulate --direction 1,x a", "triangulate --direction nan,1 a",
-        "triangulate -o x.ele -o y.ele a", "triangulate --stats -o - a",
-        "generate", "generate uniform", "generate uniform many", "generate lumpy 10",
-        "generate uniform -5", "generate uniform 4294967295",
-        "generate uniform 10 --seed x", "generate uniform 10 20", "draw",
-        "help nothing", "check --delaunay a b c"};
+    const char *const arguments[] = {"triangulate",
+                                     "triangulate a b",
+                                     "triangulate --algorithm",
+                                     "check a",
+                                     "triangulate --algorithm bubble a",
+                                     "triangulate --fast a",
+                                     "hull",
+                                     "triangulate --direction 0,0 a",
+                                     "triangulate --direction 1 a",
+                                     "triangulate --cuts skew a",
+                                     "triangulate --locator luck a",
+                                     "triangulate --seed x a",
+                                     "triangulate --threads 0 a",
+                                     "triangulate --threads two a",
+                                     "triangulate --direction 1,x a",
+                                     "triangulate --direction nan,1 a",
+                                     "triangulate -o x.ele -o y.ele a",
+                                     "triangulate --stats -o - a",
+                                     "generate",
+                                     "generate uniform",
+                                     "generate uniform many",
+                                     "generate lumpy 10",
+                                     "generate uniform -5",
+                                     "generate uniform 4294967295",
+                                     "generate uniform 10 --seed x",
+                                     "generate uniform 10 20",
+                                     "draw",
+                                     "help nothing",
+                                     "check --delaunay a b c"};
     for (size_t i = 0; i < sizeof arguments / sizeof arguments[0]; i++) {
         run_tri(2, arguments[i]);
         CLAIM("tri.usage", has("err", "usage: tri ") && !has("out", "\n"),
@@ -421,7 +440,8 @@ told_by(const char *arguments)
 {
     content told = {""};
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    CLAIM("tri.setup", terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0,
+    CLAIM("tri.setup",
+          terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0,
           "no terminal");
     int kept = open(ptsname(terminal), O_RDWR | O_NOCTTY); /* else it forgets */
     int status = shell("$tri %s 2>%s", arguments, ptsname(terminal));
@@ -429,7 +449,8 @@ told_by(const char *arguments)
           "tri %s: exit status %d", arguments, status);
     size_t length = 0;
     while (strchr(told.text, '|') == NULL && length < sizeof told.text - 1) {
-        ssize_t more = read(terminal, told.text + length, sizeof told.text - 1 - length);
+        ssize_t more =
+            read(terminal, told.text + length, sizeof told.text - 1 - length);
         CLAIM("tri.progress", more > 0, "the terminal was told nothing");
         length += (size_t)more;
     }
@@ -462,7 +483,8 @@ long_runs_say_how_far_they_are(void)
     CLAIM("tri.progress", strstr(told.text, "tri: checking ") != NULL, "tri check: %s",
           told.text);
     told = told_by("triangulate -o $d/few.ele docs/data/timezones.csv");
-    CLAIM("tri.progress", strcmp(told.text, "|") == 0, "a short run says: %s", told.text);
+    CLAIM("tri.progress", strcmp(told.text, "|") == 0, "a short run says: %s",
+          told.text);
 }
 
 /* ---- Doubles go through, whatever the environment's locale. ---- */

@@ -43,8 +43,9 @@ read_json(const char *name)
 const json *
 item_of(const json *array, size_t k)
 {
-    return array != NULL && array->kind == JSON_ARRAY && k < array->count ? &array->item[k]
-                                                                           : NULL;
+    return array != NULL && array->kind == JSON_ARRAY && k < array->count
+               ? &array->item[k]
+               : NULL;
 }
 
 const char *
@@ -67,8 +68,9 @@ write_submission(const char *name, const char *line)
     FILE *file = fopen(SWEEP, "rb");
     size_t size = file != NULL ? fread(text, 1, sizeof text - 1, file) : 0;
     text[size] = '\0';
-    if (file == NULL || fclose(file) != 0 || shell("mkdir -p $d/class/%s/%s", name, SWEEP) != 0
-        || shell("rmdir $d/class/%s/%s", name, SWEEP) != 0)
+    if (file == NULL || fclose(file) != 0 ||
+        shell("mkdir -p $d/class/%s/%s", name, SWEEP) != 0 ||
+        shell("rmdir $d/class/%s/%s", name, SWEEP) != 0)
         return false;
     const char *place = strstr(text, "hull_chain q = {last, last};");
     char path[300];
@@ -76,10 +78,12 @@ write_submission(const char *name, const char *line)
     file = fopen(in_scratch(path).text, "wb");
     if (place == NULL || file == NULL)
         return false;
-    fprintf(file, "#define _GNU_SOURCE\n#include <assert.h>\n#include <signal.h>\n"
+    fprintf(file,
+            "#define _GNU_SOURCE\n#include <assert.h>\n#include <signal.h>\n"
             "#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>\n"
-            "%.*s\n    hull_chain q = {last, last};\n    %s\n%s", (int)(place - text), text,
-            line, place + strlen("hull_chain q = {last, last};"));
+            "%.*s\n    hull_chain q = {last, last};\n    %s\n%s",
+            (int)(place - text), text, line,
+            place + strlen("hull_chain q = {last, last};"));
     return fclose(file) == 0;
 }
 

@@ -18,11 +18,12 @@
  * hull_edges_seeing. */
 bool write_submission(const char *name, const char *line);
 
-/* Where programs cannot be linked statically, or if `status` says that the class has not
- * been graded, it is printed as the outcome of the whole test, which ends. */
+/* Where programs cannot be linked statically, or if `status` says that the class has
+ * not been graded, it is printed as the outcome of the whole test, which ends. */
 void graded_or_end(int status);
 
-/* The whole file $d/name; "" if there is none. The same, read as JSON; NULL if it is none. */
+/* The whole file $d/name; "" if there is none. The same, read as JSON; NULL if it is
+ * none. */
 const char *whole(const char *name);
 const json *read_json(const char *name);
 

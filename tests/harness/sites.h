@@ -1,5 +1,5 @@
-/* sites.h - a few points with small integer coordinates, and what a triangulation of them
- * is, written down slowly: for tests of the certifiers of tools/checks.
+/* sites.h - a few points with small integer coordinates, and what a triangulation of
+ * them is, written down slowly: for tests of the certifiers of tools/checks.
  */
 #ifndef TESTS_HARNESS_SITES_H
 #define TESTS_HARNESS_SITES_H
@@ -65,8 +65,8 @@ is_on_segment(site p, site q, site r)
         (int64_t)(p.y - q.y) * (r.y - q.y) <= 0;
 }
 
-/* Twice the area of the convex hull: the sum along its edges, each of them from corner to
- * corner. */
+/* Twice the area of the convex hull: the sum along its edges, each of them from corner
+ * to corner. */
 static inline int64_t
 area_of_hull(const problem *p)
 {
@@ -77,7 +77,8 @@ area_of_hull(const problem *p)
             bool edge = !same(a, b);
             for (uint32_t k = 0; k < p->n; k++) {
                 int64_t side = area(a, b, p->at[k]);
-                edge = edge && (side > 0 || (side == 0 && is_on_segment(a, p->at[k], b)));
+                edge =
+                    edge && (side > 0 || (side == 0 && is_on_segment(a, p->at[k], b)));
                 edge = edge && (k >= i || !same(p->at[k], a)); /* copies: the lowest */
                 edge = edge && (k >= j || !same(p->at[k], b));
             }
@@ -111,8 +112,8 @@ corners_of(const problem *p, triangle_list list, uint32_t t, site corner[3])
         corner[i] = p->at[list.corner[t][i]];
 }
 
-/* Counterclockwise triangles that have no interior point in common, have the corners that
- * they should and no other point, and together have the area of the hull. */
+/* Counterclockwise triangles that have no interior point in common, have the corners
+ * that they should and no other point, and together have the area of the hull. */
 static inline bool
 is_triangulation_slowly(const problem *p, triangle_list list)
 {

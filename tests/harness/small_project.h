@@ -1,5 +1,6 @@
-/* small_project.h - a project with two exercises and a checker that only counts: for tests
- * of the tools that make a student's tree. Each trial plants it in a folder of its own.
+/* small_project.h - a project with two exercises and a checker that only counts: for
+ * tests of the tools that make a student's tree. Each trial plants it in a folder of
+ * its own.
  */
 #ifndef TESTS_HARNESS_SMALL_PROJECT_H
 #define TESTS_HARNESS_SMALL_PROJECT_H
@@ -190,11 +191,13 @@ plant(const char *folder_name)
 {
     static char folder[2200], command[12000];
     snprintf(folder, sizeof folder, "%s/%s.tree", build, folder_name);
-    snprintf(command, sizeof command,
-             "rm -rf '%s' && mkdir '%s' && cd '%s' && mkdir -p lib docs out "
-             "chapters/2.3_a/figures tools/checks/student tools/handout && "
-             "cp -R '%s/tools/handout/student' '%s'/tools/handout/ustar.[ch] tools/handout "
-             "&& cp '%s/docs/LICENSE' docs", folder, folder, folder, root, root, root);
+    snprintf(
+        command, sizeof command,
+        "rm -rf '%s' && mkdir '%s' && cd '%s' && mkdir -p lib docs out "
+        "chapters/2.3_a/figures tools/checks/student tools/handout && "
+        "cp -R '%s/tools/handout/student' '%s'/tools/handout/ustar.[ch] tools/handout "
+        "&& cp '%s/docs/LICENSE' docs",
+        folder, folder, folder, root, root, root);
     must(run(command) == 0 && chdir(folder) == 0, said);
     write_file("README.md", "# All\n");
     write_file("lib/one.h", "/* one.h */\n");
@@ -210,12 +213,14 @@ plant(const char *folder_name)
     write_file("chapters/2.3_a/figures.c", "int main(void) { return 0; }\n");
     write_file("chapters/2.3_a/fast_a.c", "int fast_a;\n");
     write_file("chapters/2.3_a/figures/x.svg", "<svg/>\n");
-    write_file("tools/checks/checker.h", "#include \"lib/one.h\"\nenum { ACCEPT = 42 };\n");
+    write_file("tools/checks/checker.h",
+               "#include \"lib/one.h\"\nenum { ACCEPT = 42 };\n");
     write_file("tools/checks/checker.c", checker);
     write_file("tools/checks/2.3.c", "#include \"tools/checks/checker.h\"\n");
     write_file("tools/checks/wire.h", "/* wire.h */\n");
     write_file("tools/checks/wire.c", "extern int wire;\n");
-    write_file("tools/checks/more.c", "#include \"tools/checks/wire.h\"\nextern int more;\n");
+    write_file("tools/checks/more.c",
+               "#include \"tools/checks/wire.h\"\nextern int more;\n");
     write_file("tools/checks/other.c", "#include \"tests/other.h\"\n");
     write_file("tools/checks/3.1.c", "#include \"tools/checks/checker.h\"\n");
     write_file("tools/checks/student/driver.c", driver);

@@ -117,8 +117,9 @@ faces_are_counted(session *s, const site *p, uint32_t n)
     face f = ask_faces(s, &list, false);
     describe(&f, 1, text, sizeof text);
     expect(s, failed(s) || list.count == count_faces(f.dimension),
-           "the simplex %s, of dimension %d, has %lu faces, and not %lu", text, f.dimension,
-           (unsigned long)count_faces(f.dimension), (unsigned long)list.count);
+           "the simplex %s, of dimension %d, has %lu faces, and not %lu", text,
+           f.dimension, (unsigned long)count_faces(f.dimension),
+           (unsigned long)list.count);
 }
 
 static void
@@ -275,14 +276,15 @@ check_witness(session *s, const site *p, uint32_t n, const face_list *list)
         uint32_t v = take_number(s, 0, UINT32_MAX, "a witness");
         if (v < n && !failed(s)) {
             marked[v] = true;
-            at += (size_t)snprintf(named + at, sizeof named - at, " %lu", (unsigned long)v);
+            at += (size_t)snprintf(named + at, sizeof named - at, " %lu",
+                                   (unsigned long)v);
             show_face(s, SVG_NEW, &v, 1);
         }
     }
     describe(list->item, list->count, text, sizeof text);
     expect(s, failed(s) || faces_fault(p, n, list, marked) != NULL,
-           "%s in the list %s, but the witnesses%s do not show it", fault_in(p, n, list),
-           text, witnesses > 0 ? named : " (there are none)");
+           "%s in the list %s, but the witnesses%s do not show it",
+           fault_in(p, n, list), text, witnesses > 0 ? named : " (there are none)");
     if (failed(s))
         show_fault(s, p, n, list);
 }

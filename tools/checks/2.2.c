@@ -1,8 +1,8 @@
 /* 2.2.c - the properties of exercises 2.2-a and 2.2-b: Euler's formula.
  *
  * The drawings are some edges of a triangulation, so that nothing crosses. Their faces
- * are walked along here too, with the order of the edges around each point computed from
- * the coordinates.
+ * are walked along here too, with the order of the edges around each point computed
+ * from the coordinates.
  */
 #include "tools/checks/checker.h"
 #include "tools/checks/meshes.h"
@@ -149,7 +149,8 @@ draw_some(session *s, const site *p, uint32_t n, bool connected, drawing *d)
         d->edges++;
     }
     find_components(d);
-    for (uint32_t k = 0; connected && k < d->edges; k++) { /* and now fewer, as they go */
+    for (uint32_t k = 0; connected && k < d->edges;
+         k++) { /* and now fewer, as they go */
         if (random_below(trial_random(s), 2) == 0)
             continue;
         drawing without = *d;
@@ -212,12 +213,13 @@ static void
 expect_number(session *s, const drawing *d, const char *what, uint32_t seen,
               uint32_t right)
 {
-    expect(s, failed(s) || seen == right,
-           "%s is %lu, and should be %lu: the drawing has %lu vertices, %lu edges and %lu "
-           "component%s",
-           what, (unsigned long)seen, (unsigned long)right, (unsigned long)d->vertices,
-           (unsigned long)d->edges, (unsigned long)d->components,
-           d->components == 1 ? "" : "s");
+    expect(
+        s, failed(s) || seen == right,
+        "%s is %lu, and should be %lu: the drawing has %lu vertices, %lu edges and %lu "
+        "component%s",
+        what, (unsigned long)seen, (unsigned long)right, (unsigned long)d->vertices,
+        (unsigned long)d->edges, (unsigned long)d->components,
+        d->components == 1 ? "" : "s");
 }
 
 static void
@@ -299,17 +301,19 @@ check_parts(session *s, const site *p, uint32_t n, bool tree, bool cotree)
         return;
     take_parts(s, &d, count, tree, cotree);
     if (tree)
-        expect(s, failed(s) || count[IN_TREE] == n - d.components,
-               "%lu edges are in the tree; with %lu vertices in %lu components a spanning "
-               "tree has %lu",
-               (unsigned long)count[IN_TREE], (unsigned long)n,
-               (unsigned long)d.components, (unsigned long)(n - d.components));
+        expect(
+            s, failed(s) || count[IN_TREE] == n - d.components,
+            "%lu edges are in the tree; with %lu vertices in %lu components a spanning "
+            "tree has %lu",
+            (unsigned long)count[IN_TREE], (unsigned long)n,
+            (unsigned long)d.components, (unsigned long)(n - d.components));
     /* Isolated vertices have a walk too, which no dual edge reaches: each is the whole
      * co-tree of its component. */
     if (cotree)
         expect(s, failed(s) || count[IN_COTREE] == d.walks - d.components,
                "%lu edges are in the co-tree, and %lu are needed to join the faces",
-               (unsigned long)count[IN_COTREE], (unsigned long)(d.walks - d.components));
+               (unsigned long)count[IN_COTREE],
+               (unsigned long)(d.walks - d.components));
     if (tree && cotree)
         expect(s, failed(s) || count[IN_NEITHER] == 0,
                "%lu edges are in neither tree, and in the plane there is none",

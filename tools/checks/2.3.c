@@ -52,10 +52,11 @@ order_is_right(session *s, const site *p, uint32_t n)
         if (i > 0 && !failed(s))
             show_edge(s, SVG_NEW, before, v);
         if (i > 0 && !failed(s) &&
-            !expect(s, plane_along(d, p[before], p[v]) < 0,
-                    "%lu is listed right before %lu, but a line that moves along (%ld,%ld) "
-                    "does not meet it first",
-                    (unsigned long)before, (unsigned long)v, (long)d.x, (long)d.y)) {
+            !expect(
+                s, plane_along(d, p[before], p[v]) < 0,
+                "%lu is listed right before %lu, but a line that moves along (%ld,%ld) "
+                "does not meet it first",
+                (unsigned long)before, (unsigned long)v, (long)d.x, (long)d.y)) {
             show_witness(s, before);
             show_witness(s, v);
         }
@@ -167,7 +168,8 @@ count_seen(session *s, const scene *sc, const site *p)
 
 /* The chain of the answer: does it have as many edges as are seen? */
 static void
-check_length(session *s, const site *p, const scene *sc, uint32_t begins, uint32_t length)
+check_length(session *s, const site *p, const scene *sc, uint32_t begins,
+             uint32_t length)
 {
     uint32_t seen = count_seen(s, sc, p);
     expect(s, length == seen, "the chain has %lu edges, but %lu sees %lu",
@@ -208,11 +210,12 @@ check_chain(session *s, const site *p, uint32_t n, bool all)
                    (unsigned long)sc.p, (unsigned long)count_seen(s, &sc, p));
     }
     for (uint32_t i = 0; i < length && !failed(s); i++)
-        if (!expect(s, plane_orient(p[chain[i]], p[chain[i + 1]], p[sc.p]) < 0,
-                    "hull edge %lu-%lu is in the chain, and %lu is not strictly right of "
-                    "it",
-                    (unsigned long)chain[i], (unsigned long)chain[i + 1],
-                    (unsigned long)sc.p))
+        if (!expect(
+                s, plane_orient(p[chain[i]], p[chain[i + 1]], p[sc.p]) < 0,
+                "hull edge %lu-%lu is in the chain, and %lu is not strictly right of "
+                "it",
+                (unsigned long)chain[i], (unsigned long)chain[i + 1],
+                (unsigned long)sc.p))
             show_edge(s, SVG_BAD, chain[i], chain[i + 1]);
     free(chain);
     free(sc.before.path);
@@ -303,8 +306,8 @@ const property properties[] = {
      "notes 2.3, line 1 of Figure 3", CASES_GENERAL | CASES_DEGENERATE, 60, 300, true,
      order_is_right},
     {"2.3-a", "comparisons", "There are at most 2 n ceil(log2 n) comparisons",
-     "page 2.3, what it costs", CASES_GENERAL | CASES_GRID | CASES_COLLINEAR, 300, 20, true,
-     order_is_cheap},
+     "page 2.3, what it costs", CASES_GENERAL | CASES_GRID | CASES_COLLINEAR, 300, 20,
+     true, order_is_cheap},
     {"2.3-b", "sees", "p sees every hull edge of the chain",
      "notes 2.3, line 4 of Figure 3; page 2.3, fig3.P2",
      CASES_GENERAL | CASES_DEGENERATE | CASES_CONVEX, 30, 300, true,
@@ -314,19 +317,21 @@ const property properties[] = {
      CASES_GENERAL | CASES_DEGENERATE | CASES_CONVEX, 30, 300, true,
      what_is_seen_is_listed},
     {"2.3-c", "triangulation", "The result is a triangulation of the points",
-     "notes 2.3, Figure 3; Definition 4; page 2.3, fig3.P3", CASES_GENERAL | CASES_CONVEX,
-     60, 100, true, sweep_triangulates},
+     "notes 2.3, Figure 3; Definition 4; page 2.3, fig3.P3",
+     CASES_GENERAL | CASES_CONVEX, 60, 100, true, sweep_triangulates},
     {"2.3-c", "degenerate",
-     "The result is a triangulation of the points when some coincide, or lie on a line or "
+     "The result is a triangulation of the points when some coincide, or lie on a line "
+     "or "
      "circle",
      "page 2.3, where it breaks", CASES_DEGENERATE, 40, 300, true, sweep_triangulates},
     {"2.3-c", "tests", "There are at most 6 n orientation tests",
-     "page 2.3, what it costs", CASES_GENERAL | CASES_CONVEX | CASES_GRID, 300, 20, true,
-     sweep_is_cheap},
+     "page 2.3, what it costs", CASES_GENERAL | CASES_CONVEX | CASES_GRID, 300, 20,
+     true, sweep_is_cheap},
     {"2.3-d", "hull", "The hull is listed counterclockwise, edge points included",
      "notes 2.3, last paragraph", CASES_GENERAL | CASES_CONVEX, 30, 100, true,
      hull_is_right},
-    {"2.3-d", "degenerate", "The hull is right, too, when points coincide or lie on a line",
+    {"2.3-d", "degenerate",
+     "The hull is right, too, when points coincide or lie on a line",
      "page 2.3, where it breaks", CASES_DEGENERATE, 30, 200, true, hull_is_right},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

@@ -38,8 +38,8 @@ check_neighbours(session *s, const site *at, uint32_t n, uint32_t p,
         bool shares = share_an_edge(at, n, at[p], at[q]);
         if (!expect(s, listed == shares,
                     "the regions of %lu and %lu %s an edge, and %lu is %s",
-                    (unsigned long)p, (unsigned long)q, shares ? "share" : "do not share",
-                    (unsigned long)q,
+                    (unsigned long)p, (unsigned long)q,
+                    shares ? "share" : "do not share", (unsigned long)q,
                     listed == 0   ? "not listed"
                     : listed == 1 ? "listed"
                                   : "listed more than once")) {
@@ -130,7 +130,8 @@ take_edges_and_cells(session *s, diagram *d, uint32_t n)
     take_end(s);
 }
 
-/* Asks for the dual of a random Delaunay triangulation; false when there is no answer. */
+/* Asks for the dual of a random Delaunay triangulation; false when there is no
+ * answer. */
 static bool
 ask_dual(session *s, const site *at, uint32_t n, diagram *d)
 {
@@ -173,15 +174,16 @@ check_circle(session *s, const site *at, uint32_t n, const diagram *d, uint32_t 
     }
     for (uint32_t p = 0; p < n && !failed(s); p++) {
         int in = plane_incircle(at[v[0]], at[v[1]], at[v[2]], at[p]);
-        if (!expect(s, in <= 0 && (in == 0) == is_on(d, at, i, at[p]),
-                    "%lu is %s the circle of vertex %lu, %lu-%lu-%lu, and is %sone of its "
-                    "sites",
-                    (unsigned long)p,
-                    in > 0    ? "inside"
-                    : in == 0 ? "on"
-                              : "outside",
-                    (unsigned long)i, (unsigned long)v[0], (unsigned long)v[1],
-                    (unsigned long)v[2], is_on(d, at, i, at[p]) ? "" : "not "))
+        if (!expect(
+                s, in <= 0 && (in == 0) == is_on(d, at, i, at[p]),
+                "%lu is %s the circle of vertex %lu, %lu-%lu-%lu, and is %sone of its "
+                "sites",
+                (unsigned long)p,
+                in > 0    ? "inside"
+                : in == 0 ? "on"
+                          : "outside",
+                (unsigned long)i, (unsigned long)v[0], (unsigned long)v[1],
+                (unsigned long)v[2], is_on(d, at, i, at[p]) ? "" : "not "))
             for (int w = 0; w < 4; w++)
                 show_witness(s, w < 3 ? v[w] : p);
     }
@@ -229,8 +231,8 @@ name_end(uint32_t end, char text[30])
     snprintf(text, 30, end == NONE ? "infinity" : "vertex %lu", (unsigned long)end);
 }
 
-/* One end of an edge between p and q: the vertex with both and a third site on this side
- * of pq; infinity when there is none on that side. */
+/* One end of an edge between p and q: the vertex with both and a third site on this
+ * side of pq; infinity when there is none on that side. */
 static void
 check_end(session *s, const site *at, uint32_t n, const diagram *d, uint32_t k,
           uint32_t end, int side)
@@ -247,7 +249,8 @@ check_end(session *s, const site *at, uint32_t n, const diagram *d, uint32_t k,
     name_end(end, is);
     name_end(wanted, should);
     if (!expect(s, any ? end != NONE && is_beside(d, at, end, p, q, side) : end == NONE,
-                "the edge with %lu on its left and %lu on its right %s at %s: a wrong place, "
+                "the edge with %lu on its left and %lu on its right %s at %s: a wrong "
+                "place, "
                 "it should at %s",
                 (unsigned long)d->left[k], (unsigned long)d->right[k],
                 side > 0 ? "ends" : "begins", is,
@@ -396,7 +399,8 @@ nearest_is_right(session *s, const site *at, uint32_t n)
 enum { SIDE = 24 };
 
 /* The squares of a grid, 10 apart, each cut along the same diagonal: a Delaunay
- * triangulation of 576 sites. A walk has at most 2 * 24 steps, past 6 neighbours each. */
+ * triangulation of 576 sites. A walk has at most 2 * 24 steps, past 6 neighbours
+ * each. */
 static void
 walk_is_short(session *s, const site *p, uint32_t n)
 {
@@ -420,10 +424,11 @@ walk_is_short(session *s, const site *p, uint32_t n)
     at[SIDE * SIDE] = (site){(int32_t)random_below(trial_random(s), 10 * SIDE),
                              (int32_t)random_below(trial_random(s), 10 * SIDE)};
     check_nearest(s, at, SIDE * SIDE + 1, list);
-    expect(s, asked_in_all(s) <= 12 * SIDE + 6,
-           "%llu comparisons in a grid of %d x %d sites: a walk to the nearest neighbour "
-           "needs at most %d",
-           (unsigned long long)asked_in_all(s), SIDE, SIDE, 12 * SIDE + 6);
+    expect(
+        s, asked_in_all(s) <= 12 * SIDE + 6,
+        "%llu comparisons in a grid of %d x %d sites: a walk to the nearest neighbour "
+        "needs at most %d",
+        (unsigned long long)asked_in_all(s), SIDE, SIDE, 12 * SIDE + 6);
 }
 
 enum { DIFFERENT = CASES_GENERAL | CASES_CONVEX };
@@ -441,13 +446,15 @@ const property properties[] = {
      "notes 3.1, Definition 6; page 3.1, sec3.1.P5", DIFFERENT, 20, 80, true,
      vertices_are_right},
     {"3.1-b", "edges",
-     "Two sites share an edge when they should, from the right vertex to the right vertex",
+     "Two sites share an edge when they should, from the right vertex to the right "
+     "vertex",
      "notes 3.1, the dual; voronoi.h, voronoi_edge", DIFFERENT, 20, 80, true,
      edges_are_right},
     {"3.1-b", "cells", "The cell of a site has its edges, counterclockwise",
      "voronoi.h, voronoi", DIFFERENT, 20, 80, true, cells_are_right},
     {"3.1-b", "degenerate",
-     "The diagram is right on grids, circles and lines, and with copies: circles that are "
+     "The diagram is right on grids, circles and lines, and with copies: circles that "
+     "are "
      "the same are one vertex",
      "page 3.1, sec3.1.P5", CASES_DEGENERATE, 16, 200, true, diagram_is_right},
     {"3.1-c", "nearest", "No site is nearer than the answer",

@@ -16,8 +16,8 @@ is_variant(const session *s, const char *name)
     return strcmp(variant_of(s), name) == 0;
 }
 
-/* Definition 7 for counterclockwise a, b, c: the first point strictly inside, or NONE. In
- * the variant `farthest` no point may be strictly outside instead. */
+/* Definition 7 for counterclockwise a, b, c: the first point strictly inside, or NONE.
+ * In the variant `farthest` no point may be strictly outside instead. */
 static uint32_t
 first_inside(const session *s, const site *p, uint32_t n, uint32_t a, uint32_t b,
              uint32_t c)
@@ -200,16 +200,18 @@ const property properties[] = {
      CASES_GENERAL | CASES_CONVEX | CASES_GRID | CASES_COCIRCULAR, 14, 150, false,
      triangles_are_all},
     {"3.2-a", "copies", "Each is listed once, also where points coincide",
-     "empty_circle.h, delaunay_triangles", CASES_DUPLICATES | CASES_GRID, 14, 150, false,
-     triangles_come_once},
+     "empty_circle.h, delaunay_triangles", CASES_DUPLICATES | CASES_GRID, 14, 150,
+     false, triangles_come_once},
     {"3.2-b", "spanning", "The edges join all locations, without a cycle",
-     "notes 3.2.2, Theorem 2", CASES_GENERAL | CASES_CONVEX, 24, 100, false, tree_spans},
+     "notes 3.2.2, Theorem 2", CASES_GENERAL | CASES_CONVEX, 24, 100, false,
+     tree_spans},
     {"3.2-b", "minimum",
      "No two points are closer together than the longest edge between them in the tree",
      "notes 3.2.2, Theorem 2; page 3.2, thm2.P5",
      CASES_GENERAL | CASES_CONVEX | CASES_GRID | CASES_COCIRCULAR, 24, 100, false,
      tree_is_minimum},
-    {"3.2-b", "degenerate", "The tree spans and is minimum, too, when points coincide or lie on a line",
+    {"3.2-b", "degenerate",
+     "The tree spans and is minimum, too, when points coincide or lie on a line",
      "page 3.2, where it breaks", CASES_DEGENERATE, 24, 200, false, tree_is_minimum},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

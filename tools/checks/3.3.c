@@ -45,7 +45,8 @@ below_is_inside(session *s, const site *p, uint32_t n)
         return;
     for (int i = 0; i < 3; i++)
         take_real(s, "a coordinate");
-    int inside = plane_orient(p[0], p[1], p[2]) * plane_incircle(p[0], p[1], p[2], p[3]);
+    int inside =
+        plane_orient(p[0], p[1], p[2]) * plane_incircle(p[0], p[1], p[2], p[3]);
     int below = take_sign(s, "the sign");
     take_end(s);
     if (!expect(s, failed(s) || below == inside,
@@ -118,22 +119,25 @@ const property properties[] = {
      "notes 3.3, Figure 7; lifting.h, lift", CASES_GENERAL | CASES_GRID, 8, 200, false,
      point_is_lifted},
     {"3.3-a", "below",
-     "The lifted d lies below the plane of a, b, c exactly when d is inside their circle, "
+     "The lifted d lies below the plane of a, b, c exactly when d is inside their "
+     "circle, "
      "in either order of a, b, c",
      "notes 3.3, Proposition 1; page 3.3, prop1.P2",
      CASES_GENERAL | CASES_GRID | CASES_COCIRCULAR, 8, 400, false, below_is_inside},
     {"3.3-b", "hull",
-     "There are 2v - 4 faces, no point is outside of any, and each side is there once, and "
+     "There are 2v - 4 faces, no point is outside of any, and each side is there once, "
+     "and "
      "once the other way",
      "notes 3.3, below Proposition 1; page 3.3, lower.P2", CASES_GENERAL | CASES_CONVEX,
      40, 80, true, hull_is_right},
     {"3.3-b", "degenerate",
-     "The hull is right, too, for cocircular points and copies; points on one line or circle "
+     "The hull is right, too, for cocircular points and copies; points on one line or "
+     "circle "
      "have a flat hull, without faces",
-     "page 3.3, lower.P3; erratum E26", CASES_DEGENERATE, 30, 150, true,
-     hull_is_right},
-    {"3.3-b", "neighbours", "The twin of each side runs along the same edge, the other way",
-     "lower_hull.h, lifted_hull", CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE, 30, 100,
-     true, neighbours_are_right},
+     "page 3.3, lower.P3; erratum E26", CASES_DEGENERATE, 30, 150, true, hull_is_right},
+    {"3.3-b", "neighbours",
+     "The twin of each side runs along the same edge, the other way",
+     "lower_hull.h, lifted_hull", CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE, 30,
+     100, true, neighbours_are_right},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

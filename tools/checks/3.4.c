@@ -134,14 +134,16 @@ const property properties[] = {
      "The sign of (p-q) x (r-s) is exact for coordinates between 2^-200 and 2^240",
      "notes 3.4, first determinant; page 3.4, sec3.4.P9", CASES_FEW, 3, 1, false,
      cross_is_exact},
-    {"3.4-a", "every_double", "The sign is exact for every finite double, 1e308 and 5e-324 too",
+    {"3.4-a", "every_double",
+     "The sign is exact for every finite double, 1e308 and 5e-324 too",
      "page 3.4, Step 3", CASES_FEW, 3, 1, false, cross_is_always_exact},
     {"3.4-b", "moderate",
      "The sign of the incircle determinant is exact for coordinates between 2^-200 and "
      "2^240",
      "notes 3.4, second determinant; page 3.4, sec3.4.P2", CASES_FEW, 3, 1, false,
      incircle_is_exact},
-    {"3.4-b", "every_double", "The sign is exact for every finite double, 1e308 and 5e-324 too",
+    {"3.4-b", "every_double",
+     "The sign is exact for every finite double, 1e308 and 5e-324 too",
      "page 3.4, Step 3", CASES_FEW, 3, 1, false, incircle_is_always_exact},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

@@ -38,14 +38,16 @@ check_side(session *s, const site *p, triangle_list list, halfedge_id e,
     if (failed(s) || says == holds)
         return;
     if (twin == NONE)
-        expect(s, false, "%lu-%lu is on the hull, and is said not to be locally Delaunay",
+        expect(s, false,
+               "%lu-%lu is on the hull, and is said not to be locally Delaunay",
                (unsigned long)w[0], (unsigned long)w[1]);
     else
-        expect(s, false, "%lu-%lu is said %sto be locally Delaunay, and %lu lies %s the "
-                         "circle of %lu, %lu, %lu",
+        expect(s, false,
+               "%lu-%lu is said %sto be locally Delaunay, and %lu lies %s the "
+               "circle of %lu, %lu, %lu",
                (unsigned long)w[0], (unsigned long)w[1], says ? "" : "not ",
-               (unsigned long)w[3], holds ? "not inside" : "inside", (unsigned long)w[0],
-               (unsigned long)w[1], (unsigned long)w[2]);
+               (unsigned long)w[3], holds ? "not inside" : "inside",
+               (unsigned long)w[0], (unsigned long)w[1], (unsigned long)w[2]);
     for (int i = 0; i < (twin == NONE ? 2 : 4); i++)
         show_witness(s, w[i]);
 }
@@ -60,7 +62,8 @@ check_sides(session *s, const site *p, uint32_t n, bool hull)
     halfedge_id *twin = room_for(3 * list.count, sizeof *twin);
     certify_twins(list, twin);
     for (halfedge_id e = 0; e < 3 * list.count && !failed(s); e++)
-        for (int side = 0; side < 2; side++) /* e, and the same edge from its other side */
+        for (int side = 0; side < 2;
+             side++) /* e, and the same edge from its other side */
             if ((twin[e] == NONE) == hull)
                 check_side(s, p, list, e, twin[e]);
             else
@@ -140,7 +143,8 @@ some_flippable(session *s, const site *p, triangle_list list, quadrilateral *q)
 static uint32_t
 count_locations(const site *p, uint32_t n)
 {
-    uint32_t *lowest = room_for(n, sizeof *lowest), count = cases_locations(p, n, lowest);
+    uint32_t *lowest = room_for(n, sizeof *lowest),
+             count = cases_locations(p, n, lowest);
     free(lowest);
     return count;
 }
@@ -171,9 +175,11 @@ check_links(session *s, const reported *r)
         expect(s, t != e && r->twin[t] == e,
                "the twin of half-edge %lu is %lu, but the twin of that is %lu",
                (unsigned long)e, (unsigned long)t, (unsigned long)r->twin[t]);
-        expect(s, r->origin[t] == r->origin[next_of(e)] &&
-                      r->origin[e] == r->origin[next_of(t)],
-               "half-edges %lu (%lu-%lu) and %lu (%lu-%lu) are twins, and do not run between "
+        expect(s,
+               r->origin[t] == r->origin[next_of(e)] &&
+                   r->origin[e] == r->origin[next_of(t)],
+               "half-edges %lu (%lu-%lu) and %lu (%lu-%lu) are twins, and do not run "
+               "between "
                "the same vertices",
                (unsigned long)e, (unsigned long)r->origin[e],
                (unsigned long)r->origin[next_of(e)], (unsigned long)t,
@@ -195,8 +201,8 @@ links_are_right(session *s, const site *p, uint32_t n)
         seen.corner[e / 3][e % 3] = r.origin[e];
     expect(s, failed(s) || missing_triangle(expected, seen) == NONE,
            "%lu-%lu was to become %lu-%lu: the triangles are not those around %lu-%lu",
-           (unsigned long)q.a, (unsigned long)q.b, (unsigned long)q.c, (unsigned long)q.d,
-           (unsigned long)q.c, (unsigned long)q.d);
+           (unsigned long)q.a, (unsigned long)q.b, (unsigned long)q.c,
+           (unsigned long)q.d, (unsigned long)q.c, (unsigned long)q.d);
     check_links(s, &r);
     expect(s, failed(s) || (r.origin[q.ab] == q.d && r.origin[q.ba] == q.c),
            "the half-edge that led from %lu to %lu does not lead from %lu to %lu",
@@ -280,9 +286,10 @@ replay_all(session *s, const site *p, uint32_t n, triangle_list list, bool neede
             show_edge(s, SVG_BAD, a, b);
             break;
         }
-        if (!expect(s, is_strictly_convex(p, &q),
-                    "flip %lu is of %lu-%lu, whose quadrilateral is not strictly convex",
-                    (unsigned long)i + 1, (unsigned long)a, (unsigned long)b) ||
+        if (!expect(
+                s, is_strictly_convex(p, &q),
+                "flip %lu is of %lu-%lu, whose quadrilateral is not strictly convex",
+                (unsigned long)i + 1, (unsigned long)a, (unsigned long)b) ||
             !expect(s, !needed || plane_incircle(p[q.a], p[q.b], p[q.c], p[q.d]) > 0,
                     "flip %lu is of %lu-%lu, which is locally Delaunay: %lu is not "
                     "inside the circle of %lu, %lu, %lu",
@@ -396,11 +403,12 @@ check_path(session *s, const site *p, uint32_t n, bool count)
     take_end(s);
     triangle_id t = failed(s) ? NONE : missing_triangle(to, now);
     if (t != NONE) {
-        expect(s, false,
-               "after %lu flips the triangles are not those of the second triangulation: "
-               "%lu-%lu-%lu is missing",
-               (unsigned long)flips, (unsigned long)to.corner[t][0],
-               (unsigned long)to.corner[t][1], (unsigned long)to.corner[t][2]);
+        expect(
+            s, false,
+            "after %lu flips the triangles are not those of the second triangulation: "
+            "%lu-%lu-%lu is missing",
+            (unsigned long)flips, (unsigned long)to.corner[t][0],
+            (unsigned long)to.corner[t][1], (unsigned long)to.corner[t][2]);
         show_face(s, SVG_BAD, to.corner[t], 3);
     }
     if (count)
@@ -431,8 +439,9 @@ const property properties[] = {
      inner_edges_are_judged},
     {"3.5-a", "hull", "An edge of one triangle only is locally Delaunay",
      "notes 3.5, Definition 9", EVERYTHING, 16, 100, true, hull_edges_are_judged},
-    {"3.5-b", "links", "After the flip all half-edges have their twins, and the triangles "
-                       "abc and bad have become dca and cdb",
+    {"3.5-b", "links",
+     "After the flip all half-edges have their twins, and the triangles "
+     "abc and bad have become dca and cdb",
      "notes 3.5.1; page 3.5, flip.P1; flips.h", EVERYTHING, 16, 200, false,
      links_are_right},
     {"3.5-b", "vertices", "After the flip each vertex knows a half-edge that leaves it",
@@ -442,12 +451,15 @@ const property properties[] = {
     {"3.5-c", "delaunay", "The result is a Delaunay triangulation",
      "notes 3.5, Theorem 3; page 3.5, fig10.P5", EVERYTHING, 24, 150, true,
      result_is_delaunay},
-    {"3.5-c", "needed", "Each flip is of an edge that is not locally Delaunay, and is "
-                        "reported by flip (trace_report); from a queue the edge that has "
-                        "waited longest is taken",
-     "notes 3.5, lines 3 and 4 of Figure 10", EVERYTHING, 24, 150, true, flips_are_needed},
-    {"3.5-c", "tests", "There are at most E + 4F incircle tests, for E inner edges and F "
-                       "flips",
+    {"3.5-c", "needed",
+     "Each flip is of an edge that is not locally Delaunay, and is "
+     "reported by flip (trace_report); from a queue the edge that has "
+     "waited longest is taken",
+     "notes 3.5, lines 3 and 4 of Figure 10", EVERYTHING, 24, 150, true,
+     flips_are_needed},
+    {"3.5-c", "tests",
+     "There are at most E + 4F incircle tests, for E inner edges and F "
+     "flips",
      "page 3.5, what it costs", EVERYTHING, 24, 100, true, tests_are_few},
     {"3.5-d", "ends", "The flips lead from the first triangulation to the second",
      "notes 3.5.4; page 3.5, flipgraph.P4", EVERYTHING, 14, 150, false,

@@ -30,7 +30,8 @@ some_spot(session *s, const scene *sc, bool in_triangle, halfedge_id *e)
 
 /* What is said about the mesh before and after the split. */
 typedef struct halves {
-    uint32_t count, e, twin; /* before: how many; the half-edge of the place, its twin */
+    uint32_t count, e,
+        twin; /* before: how many; the half-edge of the place, its twin */
     uint32_t *before, *origin, *twins, *leaving;
 } halves;
 
@@ -81,8 +82,8 @@ next_of(uint32_t e)
 /* A random scene and a place of p in it, and the mesh after the split; false: p has no
  * such place, or there is no answer. */
 static bool
-ask_split(session *s, const site *at, uint32_t n, bool in_triangle, scene *sc, spot *how,
-          halfedge_id *e, halves *h)
+ask_split(session *s, const site *at, uint32_t n, bool in_triangle, scene *sc,
+          spot *how, halfedge_id *e, halves *h)
 {
     uint32_t start = n > 0 ? random_below(trial_random(s), n) : 0;
     for (uint32_t i = 0; i < n; i++) {
@@ -119,7 +120,8 @@ ask_split(session *s, const site *at, uint32_t n, bool in_triangle, scene *sc, s
 
 /* Are the triangles afterwards those that they should be? */
 static void
-check_new_triangles(session *s, const scene *sc, spot how, halfedge_id e, const halves *h)
+check_new_triangles(session *s, const scene *sc, spot how, halfedge_id e,
+                    const halves *h)
 {
     name where = name_of(sc, e);
     if (how != SPOT_TRIANGLE)
@@ -139,7 +141,8 @@ check_new_triangles(session *s, const scene *sc, spot how, halfedge_id e, const 
     if (t != NONE) {
         const vertex_id *c = expected.list.corner[t];
         expect(s, false,
-               "%lu lies %s, %s: the triangles around it afterwards are wrong, %s is missing",
+               "%lu lies %s, %s: the triangles around it afterwards are wrong, %s is "
+               "missing",
                (unsigned long)sc->p, spot_name(how), where.text,
                name_of_triangle(sc->around.infinity, c[0], c[1], c[2]).text);
         show_triangle(s, SVG_BAD, sc->around.infinity, c[0], c[1], c[2]);
@@ -167,7 +170,8 @@ check_what_stays(session *s, const scene *sc, spot how, halfedge_id e, const hal
         if (i / 3 != h->e / 3 && (how == SPOT_TRIANGLE || i / 3 != h->twin / 3))
             expect(s, h->origin[i] == h->before[i],
                    "half-edge %lu leaves %lu, and %lu before: it is none of the "
-                   "triangles of the place", (unsigned long)i, (unsigned long)h->origin[i],
+                   "triangles of the place",
+                   (unsigned long)i, (unsigned long)h->origin[i],
                    (unsigned long)h->before[i]);
 }
 
@@ -211,10 +215,13 @@ check_links(session *s, uint32_t n, const halves *h)
         expect(s, t != e && h->twins[t] == e,
                "the twin of half-edge %lu is %lu, but the twin of that is %lu",
                (unsigned long)e, (unsigned long)t, (unsigned long)h->twins[t]);
-        expect(s, h->origin[t] == h->origin[next_of(e)] &&
-                      h->origin[e] == h->origin[next_of(t)],
-               "half-edges %lu (%s) and %lu (%s) are twins, and do not run between the same "
-               "vertices", (unsigned long)e,
+        expect(s,
+               h->origin[t] == h->origin[next_of(e)] &&
+                   h->origin[e] == h->origin[next_of(t)],
+               "half-edges %lu (%s) and %lu (%s) are twins, and do not run between the "
+               "same "
+               "vertices",
+               (unsigned long)e,
                name_of_edge(n, h->origin[e], h->origin[next_of(e)]).text,
                (unsigned long)t,
                name_of_edge(n, h->origin[t], h->origin[next_of(t)]).text);
@@ -314,26 +321,32 @@ enum { EVERYTHING = CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE };
 
 const property properties[] = {
     {"3.6-a", "triangle",
-     "A point in a triangle is joined to its corners; one that sees a hull edge, to its "
+     "A point in a triangle is joined to its corners; one that sees a hull edge, to "
+     "its "
      "ends",
      "notes 3.6, line 4 of Figure 12; incremental.h", EVERYTHING, 14, 200, false,
      triangles_are_split},
     {"3.6-a", "edge",
-     "A point on an edge is joined to four corners; one beyond the end of a path, to that "
+     "A point on an edge is joined to four corners; one beyond the end of a path, to "
+     "that "
      "end",
      "page 3.6, erratum E42; incremental.h", CASES_DEGENERATE, 14, 200, false,
      edges_are_split},
-    {"3.6-a", "links", "After the split all half-edges have their twins, and each vertex "
-                       "knows one that leaves it",
+    {"3.6-a", "links",
+     "After the split all half-edges have their twins, and each vertex "
+     "knows one that leaves it",
      "page 3.6, fig12.P2; lib/mesh.h", EVERYTHING, 14, 200, false, links_are_right},
-    {"3.6-b", "place", "The walk finds where p lies: in which triangle, outside of which "
-                       "hull edge, on which edge, or beyond which end of a path",
+    {"3.6-b", "place",
+     "The walk finds where p lies: in which triangle, outside of which "
+     "hull edge, on which edge, or beyond which end of a path",
      "page 3.6, walk.P1; walk.h", EVERYTHING, 24, 300, true, place_is_found},
-    {"3.6-b", "visits", "The walk visits the triangles that the segment runs through, one "
-                        "beside the other, each once, and reports each (TRACE_VISIT)",
+    {"3.6-b", "visits",
+     "The walk visits the triangles that the segment runs through, one "
+     "beside the other, each once, and reports each (TRACE_VISIT)",
      "notes 3.6.4; page 3.6, walk.P2", EVERYTHING, 24, 300, true, walk_is_straight},
     {"3.6-b", "tests",
-     "There are at most two tests for each triangle at the start and for each visited one, "
+     "There are at most two tests for each triangle at the start and for each visited "
+     "one, "
      "and three more",
      "page 3.6, walk.P3; walk.h", EVERYTHING, 50, 80, true, walk_is_cheap},
     {"3.6-c", "delaunay", "The result is a Delaunay triangulation",
@@ -347,9 +360,11 @@ const property properties[] = {
      "The result is Delaunay, too, when points coincide, or lie on a line or circle",
      "page 3.6, erratum E42", CASES_DEGENERATE, 30, 200, true, insertion_is_delaunay},
     {"3.6-d", "permutation", "Every order of the items can come, and nothing else",
-     "incremental.h, shuffle", CASES_GENERAL | CASES_FEW, 5, 20, false, every_order_comes},
-    {"3.6-d", "fair", "All orders are equally likely: the checker has gone through all "
-                      "numbers that random_below can give",
+     "incremental.h, shuffle", CASES_GENERAL | CASES_FEW, 5, 20, false,
+     every_order_comes},
+    {"3.6-d", "fair",
+     "All orders are equally likely: the checker has gone through all "
+     "numbers that random_below can give",
      "page 3.6, chance.P5 and chance.P6", CASES_GENERAL | CASES_FEW, 5, 20, false,
      orders_are_equally_likely},
     {"3.6-e", "waiting",

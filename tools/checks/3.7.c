@@ -101,9 +101,11 @@ merge_is_linear(session *s, const site *p, uint32_t n)
     uint32_t u = check_merge(s, p, n);
     uint64_t most = 16 * (uint64_t)u;
     expect(s, asked_in_all(s) <= most || u == 0,
-           "%llu questions to merge %lu points, left and right together; 8 orientation and "
+           "%llu questions to merge %lu points, left and right together; 8 orientation "
+           "and "
            "8 incircle tests for each are %llu",
-           (unsigned long long)asked_in_all(s), (unsigned long)u, (unsigned long long)most);
+           (unsigned long long)asked_in_all(s), (unsigned long)u,
+           (unsigned long long)most);
 }
 
 /* ---- 3.7-b and 3.7-c: the whole algorithm. ---- */
@@ -160,8 +162,9 @@ const property properties[] = {
      "The result is Delaunay, too, when points coincide, or lie on a line or circle",
      "page 3.7, sec3.7.P7 and where it breaks", CASES_DEGENERATE, 30, 200, true,
      merge_is_delaunay},
-    {"3.7-a", "linear", "There are at most 16 questions for each point, left and right "
-                        "together",
+    {"3.7-a", "linear",
+     "There are at most 16 questions for each point, left and right "
+     "together",
      "page 3.7, sec3.7.P9", CASES_GENERAL | CASES_CONVEX | CASES_GRID, 80, 20, true,
      merge_is_linear},
     {"3.7-b", "delaunay", "The result is a Delaunay triangulation",
@@ -170,14 +173,16 @@ const property properties[] = {
     {"3.7-b", "degenerate",
      "The result is Delaunay, too, when points coincide, or lie on a line or circle",
      "page 3.7, where it breaks", CASES_DEGENERATE, 40, 200, true, divide_is_delaunay},
-    {"3.7-b", "tests", "There are at most 6 n log2 n questions of all kinds, for random "
-                       "points",
+    {"3.7-b", "tests",
+     "There are at most 6 n log2 n questions of all kinds, for random "
+     "points",
      "page 3.7, sec3.7.P10", CASES_GENERAL, 250, 12, true, divide_is_cheap},
     {"3.7-c", "delaunay", "The result is a Delaunay triangulation",
-     "page 3.7, sec3.7.P12", CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE, 40, 200, true,
-     turns_are_delaunay},
-    {"3.7-c", "tests", "There are at most 20 n orientation and incircle tests, for random "
-                       "points",
+     "page 3.7, sec3.7.P12", CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE, 40, 200,
+     true, turns_are_delaunay},
+    {"3.7-c", "tests",
+     "There are at most 20 n orientation and incircle tests, for random "
+     "points",
      "page 3.7, sec3.7.P15", CASES_GENERAL, 400, 16, true, turns_are_cheap},
 };
 const uint32_t property_count = sizeof properties / sizeof properties[0];

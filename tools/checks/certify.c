@@ -101,9 +101,9 @@ check_orientations(const site *points, triangle_list list)
         const vertex_id *c = list.corner[t];
         int sign = plane_orient(points[c[0]], points[c[1]], points[c[2]]);
         if (sign <= 0) {
-            verdict v = verdict_refuted("triangle %lu-%lu-%lu is %s", (unsigned long)c[0],
-                                        (unsigned long)c[1], (unsigned long)c[2],
-                                        sign < 0 ? "clockwise" : "flat");
+            verdict v = verdict_refuted(
+                "triangle %lu-%lu-%lu is %s", (unsigned long)c[0], (unsigned long)c[1],
+                (unsigned long)c[2], sign < 0 ? "clockwise" : "flat");
             for (int i = 0; i < 3; i++)
                 v = verdict_with(v, c[i]);
             return v;
@@ -224,7 +224,8 @@ certify(const site *points, uint32_t n, triangle_list list, bool delaunay)
             continue;
         vertex_id w[4] = {side_origin(list, e), side_dest(list, e), side_apex(list, e),
                           side_apex(list, twin[e])};
-        if (plane_incircle(points[w[0]], points[w[1]], points[w[2]], points[w[3]]) > 0) {
+        if (plane_incircle(points[w[0]], points[w[1]], points[w[2]], points[w[3]]) >
+            0) {
             v = verdict_refuted("%lu lies inside the circle of triangle %lu-%lu-%lu",
                                 (unsigned long)w[3], (unsigned long)w[0],
                                 (unsigned long)w[1], (unsigned long)w[2]);
@@ -262,7 +263,8 @@ check_path(const site *points, uint32_t n, const vertex_id *path, uint32_t count
                                (unsigned long)count, (unsigned long)locations);
     for (uint32_t i = 1; i < count; i++)
         if (plane_same(points[path[i - 1]], points[path[i]]))
-            return refuted_at("the path stays where it is", path[i - 1], path[i], path[i]);
+            return refuted_at("the path stays where it is", path[i - 1], path[i],
+                              path[i]);
     for (uint32_t i = 2; i < count; i++)
         if (plane_dot(points[path[i - 2]], points[path[i - 1]], points[path[i]]) >= 0)
             return refuted_at("the path turns back", path[i - 2], path[i - 1], path[i]);
@@ -280,8 +282,10 @@ certify_hull(const site *points, uint32_t n, const vertex_id *hull, uint32_t cou
     for (uint32_t i = 0; i < count; i++) {
         vertex_id a = hull[i], b = hull[(i + 1) % count], c = hull[(i + 2) % count];
         if (plane_orient(points[a], points[b], points[c]) < 0)
-            return refuted_at("the hull turns right: it is listed clockwise, or goes to a "
-                              "point inside", a, b, c);
+            return refuted_at(
+                "the hull turns right: it is listed clockwise, or goes to a "
+                "point inside",
+                a, b, c);
         verdict v = check_turn(points, a, b, c, &maxima);
         if (!v.holds)
             return v;

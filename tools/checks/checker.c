@@ -4,12 +4,13 @@
  *             [--instances FILE] [--feedback DIR] [--again "COMMAND"]
  *             [--again-case "COMMAND"] -- PROGRAM [ARGUMENT...]
  *
- * Each property of the exercise is tried on many sets of points; the first that fails is
- * made as small as possible and reported: what must hold, what was seen, the points, a
- * picture, and the command that runs it again: that of --again, or, where these points
- * are enough for it to fail, that of --again-case with the points. With --feedback the
- * same goes to DIR: properties.tsv (name, how it came out in one word, a sentence),
- * NAME.txt and NAME.svg. --case tries one set of points: "(0,0) (4,1) (2,3)".
+ * Each property of the exercise is tried on many sets of points; the first that fails
+ * is made as small as possible and reported: what must hold, what was seen, the points,
+ * a picture, and the command that runs it again: that of --again, or, where these
+ * points are enough for it to fail, that of --again-case with the points. With
+ * --feedback the same goes to DIR: properties.tsv (name, how it came out in one word, a
+ * sentence), NAME.txt and NAME.svg. --case tries one set of points: "(0,0) (4,1)
+ * (2,3)".
  *
  * Exit status: 42 all properties hold, 43 some do not, 1 a fault of the checker.
  */
@@ -44,7 +45,8 @@ all_differ(const site *points, uint32_t n)
 static bool
 is_asked(const property *p, const site *points, uint32_t n)
 {
-    return (p->families & (CASES_DUPLICATES | CASES_COLLINEAR)) != 0 || all_differ(points, n);
+    return (p->families & (CASES_DUPLICATES | CASES_COLLINEAR)) != 0 ||
+           all_differ(points, n);
 }
 
 /* Does this smaller case fail in the same way? */
@@ -103,8 +105,8 @@ shrink(session *s, failure *f)
     s->seconds = patience;
 }
 
-/* Runs once more what is reported: with the seed of a case if it fails with that, too, or
- * else with its own. */
+/* Runs once more what is reported: with the seed of a case if it fails with that, too,
+ * or else with its own. */
 static void
 run_again(session *s, failure *f)
 {
@@ -206,7 +208,8 @@ static _Noreturn void
 usage(const char *wrong)
 {
     fprintf(stderr,
-            "checker: %s\nusage: checker EXERCISE [--seed N | --case POINTS] [--property NAME] "
+            "checker: %s\nusage: checker EXERCISE [--seed N | --case POINTS] "
+            "[--property NAME] "
             "[--variant NAME] [--instances FILE] [--feedback DIR] [--again TEXT] "
             "[--again-case TEXT] -- PROGRAM [ARGUMENT...]\n",
             wrong);
@@ -269,7 +272,8 @@ main(int argc, char **argv)
     static session s;
     char path[1024];
     request r = read_arguments(argc, argv, &s.student.command);
-    if (strchr(s.student.command[0], '/') != NULL && access(s.student.command[0], X_OK) != 0) {
+    if (strchr(s.student.command[0], '/') != NULL &&
+        access(s.student.command[0], X_OK) != 0) {
         perror(s.student.command[0]);
         return CHECKER_FAULT;
     }
@@ -293,7 +297,8 @@ main(int argc, char **argv)
             (r.property != NULL && strcmp(p->name, r.property) != 0))
             continue;
         tried++;
-        held += r.points != NULL ? check_case(&s, p, &r, table) : check(&s, p, &r, table);
+        held +=
+            r.points != NULL ? check_case(&s, p, &r, table) : check(&s, p, &r, table);
     }
     if (table != NULL)
         feedback_close(table, path);

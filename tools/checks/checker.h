@@ -25,9 +25,9 @@
  *
  * The checker (checker.c) draws the points, runs the trials, makes a case that fails
  * small, and says what was seen. Answers are certified, never compared with another
- * solution's: every right answer passes. All that a trial learns after its first failure
- * is ignored, and numbers taken after it are 0, so a trial need not stop there; but
- * an index that was to be used has to be checked: `failed(s)`.
+ * solution's: every right answer passes. All that a trial learns after its first
+ * failure is ignored, and numbers taken after it are 0, so a trial need not stop there;
+ * but an index that was to be used has to be checked: `failed(s)`.
  */
 #ifndef TOOLS_CHECKS_CHECKER_H
 #define TOOLS_CHECKS_CHECKER_H
@@ -107,8 +107,8 @@ int take_sign(session *s, const char *what);
 /* A finite double. */
 double take_real(session *s, const char *what);
 
-/* A number of triangles, at most `most`, and corners below n. The session keeps the list.
- * On failure it is empty. */
+/* A number of triangles, at most `most`, and corners below n. The session keeps the
+ * list. On failure it is empty. */
 triangle_list take_triangles(session *s, uint32_t n, uint32_t most);
 
 /* A number of edges, and the ends of each. Collinear points have one edge between
@@ -139,9 +139,9 @@ void keep_triangles(session *s, triangle_list list);
  * and a point: svg_verdict. */
 void show_witness(session *s, uint32_t point);
 
-/* Draws the point, edge or triangle with these 1 to 3 vertices: what the case has beside
- * its triangles (SVG_PLAIN), what was answered (SVG_NEW), what is wrong (SVG_BAD). An
- * index that is none is ignored. begin_case forgets them all. */
+/* Draws the point, edge or triangle with these 1 to 3 vertices: what the case has
+ * beside its triangles (SVG_PLAIN), what was answered (SVG_NEW), what is wrong
+ * (SVG_BAD). An index that is none is ignored. begin_case forgets them all. */
 void show_face(session *s, svg_style style, const uint32_t *vertex, uint32_t count);
 void show_edge(session *s, svg_style style, uint32_t a, uint32_t b);
 

@@ -10,8 +10,8 @@
 
 enum { MOST_SIMPLICES = 400 };
 
-/* As a set of dimension + 1 vertices, in increasing order; 0 <= dimension <= 2, or up to
- * 3 where only faces are counted; -1 is the empty face. */
+/* As a set of dimension + 1 vertices, in increasing order; 0 <= dimension <= 2, or up
+ * to 3 where only faces are counted; -1 is the empty face. */
 typedef struct face {
     int dimension;
     uint32_t vertex[4];
@@ -32,10 +32,11 @@ bool face_is_listed(const face_list *list, const face *s);
 /* Adds s and all its faces but the empty one, each once, as far as there is room. */
 void faces_close(face_list *list, const face *s);
 
-/* What is wrong, as far as these vertices show it: an index out of range (always shown),
- * a flat simplex, a face that is missing, two equal simplices, a vertex inside a simplex
- * or at the place of another, two edges that cross; all of their vertices must be marked.
- * NULL: nothing. With every vertex marked, NULL says that the list is a complex. */
+/* What is wrong, as far as these vertices show it: an index out of range (always
+ * shown), a flat simplex, a face that is missing, two equal simplices, a vertex inside
+ * a simplex or at the place of another, two edges that cross; all of their vertices
+ * must be marked. NULL: nothing. With every vertex marked, NULL says that the list is a
+ * complex. */
 const char *faces_fault(const site *points, uint32_t n, const face_list *list,
                         const bool *marked);
 

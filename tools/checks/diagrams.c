@@ -2,9 +2,9 @@
 #include "tools/checks/diagrams.h"
 
 /* The points with p and q equally near are the centres of the circles through both. In
- * that pencil a site c left of pq excludes all circles beyond its own on one side, and a
- * site d on the right those on the other. Something is left between them, and more than
- * one circle, exactly when d is outside of the circle of p, q and c. */
+ * that pencil a site c left of pq excludes all circles beyond its own on one side, and
+ * a site d on the right those on the other. Something is left between them, and more
+ * than one circle, exactly when d is outside of the circle of p, q and c. */
 bool
 share_an_edge(const site *at, uint32_t n, site p, site q)
 {
@@ -13,7 +13,8 @@ share_an_edge(const site *at, uint32_t n, site p, site q)
         if (side == 0 && plane_dot(p, at[i], q) < 0)
             return false;
         for (uint32_t j = 0; side > 0 && j < n; j++)
-            if (plane_orient(p, q, at[j]) < 0 && plane_incircle(p, q, at[i], at[j]) >= 0)
+            if (plane_orient(p, q, at[j]) < 0 &&
+                plane_incircle(p, q, at[i], at[j]) >= 0)
                 return false;
     }
     return true;

@@ -123,8 +123,8 @@ write_failure(const session *s, const failure *f, const request *r, FILE *table)
 static bool
 draw_failure(const session *s, const failure *f, const char *path)
 {
-    return f->end != FATE_TODO && questions_of(s)->at != NULL && questions_of(s)->n > 0 &&
-           picture_write(s, f->of, path);
+    return f->end != FATE_TODO && questions_of(s)->at != NULL &&
+           questions_of(s)->n > 0 && picture_write(s, f->of, path);
 }
 
 void

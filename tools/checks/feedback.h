@@ -30,14 +30,15 @@ typedef struct failure {
 
 /* Reports the failure of the session's last trial: to standard output, and, if there is
  * a folder for it, as a text, a picture and a line of the table. */
-void feedback_failure(const session *s, const failure *f, const request *r, FILE *table);
+void
+feedback_failure(const session *s, const failure *f, const request *r, FILE *table);
 
 /* A file to be written; whatever goes wrong ends the checker. */
 FILE *feedback_open(const char *path);
 void feedback_close(FILE *file, const char *path);
 
-/* The points as letters on a grid, each line behind a margin, if they are few and no two
- * would share a place (sketch.c). */
+/* The points as letters on a grid, each line behind a margin, if they are few and no
+ * two would share a place (sketch.c). */
 void sketch_print(FILE *file, const char *margin, const site *points, uint32_t n);
 
 #endif

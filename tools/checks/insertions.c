@@ -85,8 +85,9 @@ replay_locate(session *s, insertion *in, told t)
            "%lu is found in %s, which is not there after the flips that were reported",
            (unsigned long)t.p, place.text);
     spot how = e != NONE ? sphere_spot(&in->now, t.p, &e) : SPOT_NOWHERE;
-    if (expect(s, how != SPOT_NOWHERE, "%lu is looked for in %s, and does not lie there",
-               (unsigned long)t.p, place.text)) {
+    if (expect(s, how != SPOT_NOWHERE,
+               "%lu is looked for in %s, and does not lie there", (unsigned long)t.p,
+               place.text)) {
         sphere_split(&in->now, how, e, t.p);
         in->inserted++;
     }
@@ -96,11 +97,12 @@ static void
 replay_flip_at(session *s, insertion *in, told t)
 {
     uint32_t p = in->order[in->inserted - 1];
-    if (!expect(s, in->inserted > 2 && sphere_flip(&in->now, t.a, t.b, p),
-                "after %lu has been inserted %s is flipped, which is not opposite %lu, or "
-                "cannot be flipped: each flip is to give %lu one edge more",
-                (unsigned long)p, name_of_edge(in->n, t.a, t.b).text, (unsigned long)p,
-                (unsigned long)p)) {
+    if (!expect(
+            s, in->inserted > 2 && sphere_flip(&in->now, t.a, t.b, p),
+            "after %lu has been inserted %s is flipped, which is not opposite %lu, or "
+            "cannot be flipped: each flip is to give %lu one edge more",
+            (unsigned long)p, name_of_edge(in->n, t.a, t.b).text, (unsigned long)p,
+            (unsigned long)p)) {
         show_witness(s, p);
         if (t.a < in->n)
             show_witness(s, t.a);
@@ -115,7 +117,8 @@ show_replay(session *s, const insertion *in)
 {
     keep_triangles(s, sphere_triangles(&in->now));
     for (uint32_t e = 0; in->now.flat && e < 3 * in->now.list.count; e++)
-        show_edge(s, SVG_PLAIN, side_origin(in->now.list, e), side_dest(in->now.list, e));
+        show_edge(s, SVG_PLAIN, side_origin(in->now.list, e),
+                  side_dest(in->now.list, e));
 }
 
 /* The result, and that of the replay: Delaunay. */
@@ -167,7 +170,8 @@ check_insertion(session *s, const site *at, uint32_t n, bool flips)
 static void
 replay_move(session *s, insertion *in, told t)
 {
-    expect(s, t.p < in->n, "the point that moves has the number %lu", (unsigned long)t.p);
+    expect(s, t.p < in->n, "the point that moves has the number %lu",
+           (unsigned long)t.p);
     halfedge_id e = failed(s) ? NONE : sphere_side(&in->now, t.a, t.b, t.c);
     if (!expect(s, e != NONE, "%lu is to wait in %s, which is not there then",
                 (unsigned long)t.p, name_of_triangle(in->n, t.a, t.b, t.c).text))
@@ -186,7 +190,8 @@ check_homes(session *s, const insertion *in)
     for (uint32_t i = in->inserted; i < in->count && !failed(s); i++) {
         uint32_t q = in->order[i];
         const uint32_t *h = in->home[q];
-        expect(s, in->waits[q], "%lu has not been told where to wait", (unsigned long)q);
+        expect(s, in->waits[q], "%lu has not been told where to wait",
+               (unsigned long)q);
         halfedge_id e = failed(s) ? NONE : sphere_side(&in->now, h[0], h[1], h[2]);
         name home = name_of_triangle(in->n, h[0], h[1], h[2]);
         expect(s, failed(s) || e != NONE,

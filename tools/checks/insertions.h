@@ -4,8 +4,9 @@
 
 #include "tools/checks/checker.h"
 
-/* Exercise 3.6-c: the locations are inserted in random order. The result must be Delaunay;
- * and if `flips`, each flip reported must be opposite the point that was inserted last. */
+/* Exercise 3.6-c: the locations are inserted in random order. The result must be
+ * Delaunay; and if `flips`, each flip reported must be opposite the point that was
+ * inserted last. */
 void check_insertion(session *s, const site *at, uint32_t n, bool flips);
 
 /* Exercise 3.6-e: the same with points that wait. Each must be where it waits; or, if

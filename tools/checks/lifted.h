@@ -14,9 +14,9 @@
  *   - each side joins two locations, is there once, and once the other way
  *
  * Enough: no three lifted points are on a line, so that each face has an area. They lie
- * on the hull, are turned outwards, and have no boundary: so they cover each place of it
- * equally often. As all lifted points are corners of the hull, to cover it once takes
- * 2v - 4 triangles, by Euler's formula. Then those that are seen from below are a
+ * on the hull, are turned outwards, and have no boundary: so they cover each place of
+ * it equally often. As all lifted points are corners of the hull, to cover it once
+ * takes 2v - 4 triangles, by Euler's formula. Then those that are seen from below are a
  * Delaunay triangulation (page 3.3, prop1.P2). */
 verdict certify_lifted_hull(const site *points, uint32_t n, triangle_list faces);
 

@@ -32,7 +32,8 @@ cross(site a, site b, site c, site d)
 }
 
 /* Is there a circle through p and q with no point strictly inside? The circles through
- * both form a pencil; one point left of pq and one right must leave room between them. */
+ * both form a pencil; one point left of pq and one right must leave room between
+ * them. */
 static bool
 has_empty_circle(const site *at, const uint32_t *v, uint32_t u, site p, site q)
 {
@@ -104,7 +105,8 @@ triangles_of(const site *at, const uint32_t *v, uint32_t u, uint32_t n, const ed
 {
     bool *joined = room_for((size_t)n * n, sizeof *joined);
     for (uint32_t i = 0; i < edges; i++)
-        joined[(size_t)e[i].a * n + e[i].b] = joined[(size_t)e[i].b * n + e[i].a] = true;
+        joined[(size_t)e[i].a * n + e[i].b] = joined[(size_t)e[i].b * n + e[i].a] =
+            true;
     triangle_list list = {0};
     list.corner = room_for(2 * (size_t)n, sizeof *list.corner);
     for (uint32_t i = 0; i < edges; i++)

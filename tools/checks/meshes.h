@@ -9,9 +9,9 @@
 #include "tools/checks/plane.h"
 
 /* A random triangulation of the points, each location by its lowest index; a random
- * Delaunay triangulation if `delaunay`: ties are broken at random. Empty when the points
- * are collinear. The caller frees it.
- * Cost: O(n^3), Delaunay O(n^4): for at most about 60 points. */
+ * Delaunay triangulation if `delaunay`: ties are broken at random. Empty when the
+ * points are collinear. The caller frees it. Cost: O(n^3), Delaunay O(n^4): for at most
+ * about 60 points. */
 triangle_list mesh_at_random(random_source *source, const site *points, uint32_t n,
                              bool delaunay);
 
@@ -25,7 +25,8 @@ typedef struct piece {
     uint32_t *path, length;
 } piece;
 
-/* Of the points with the indices part[0 .. count-1]; as above. The caller frees both. */
+/* Of the points with the indices part[0 .. count-1]; as above. The caller frees
+ * both. */
 piece piece_at_random(random_source *source, const site *points, const uint32_t *part,
                       uint32_t count, bool delaunay);
 

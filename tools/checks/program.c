@@ -128,9 +128,10 @@ how_it_ended(program *p)
             close(p->from);
             close(p->chatter);
             p->pid = 0;
-            int signal = WIFSIGNALED(status)                             ? WTERMSIG(status)
-                         : WIFEXITED(status) && WEXITSTATUS(status) > 128 ? WEXITSTATUS(status) - 128
-                                                                          : 0;
+            int signal = WIFSIGNALED(status) ? WTERMSIG(status)
+                         : WIFEXITED(status) && WEXITSTATUS(status) > 128
+                             ? WEXITSTATUS(status) - 128
+                             : 0;
             switch (signal) {
             case 0: return FATE_ENDED;
             case SIGABRT: return FATE_ASSERT;
@@ -243,7 +244,8 @@ static bool
 direction_of(const uint64_t word[2], site *found)
 {
     double x = real_of_word(word[0]), y = real_of_word(word[1]);
-    if (!(x >= -PLANE_REACH && x <= PLANE_REACH && y >= -PLANE_REACH && y <= PLANE_REACH))
+    if (!(x >= -PLANE_REACH && x <= PLANE_REACH && y >= -PLANE_REACH &&
+          y <= PLANE_REACH))
         return false;
     *found = (site){(int32_t)x, (int32_t)y};
     return found->x == x && found->y == y;
@@ -262,7 +264,8 @@ find_sites(const questions *q, wire_kind kind, const uint64_t *word, uint32_t co
 
 /* The reply to a question; false when it is none. */
 static bool
-reply_to(questions *q, wire_kind kind, const uint64_t *word, size_t count, int64_t *reply)
+reply_to(questions *q, wire_kind kind, const uint64_t *word, size_t count,
+         int64_t *reply)
 {
     site s[4];
     if (kind == WIRE_RANDOM) {
@@ -349,14 +352,16 @@ fate_text(fate f)
     switch (f) {
     case FATE_ANSWERED: return "it answered";
     case FATE_TODO: return "the function still says TODO: nothing has been written yet";
-    case FATE_CRASH: return "the program crashed: most often an index outside an array or "
-                            "a pointer that points nowhere";
+    case FATE_CRASH:
+        return "the program crashed: most often an index outside an array or "
+               "a pointer that points nowhere";
     case FATE_ASSERT: return "an assertion failed: a function was called with what its "
                              "header does not allow";
     case FATE_UNDEFINED: return "undefined behaviour was trapped: an integer that "
                                 "overflows, a shift too far, a null pointer";
-    case FATE_TIMEOUT: return "no answer came in time: an endless loop, or far too many "
-                              "steps";
+    case FATE_TIMEOUT:
+        return "no answer came in time: an endless loop, or far too many "
+               "steps";
     case FATE_ENDED: return "the program ended without an answer";
     case FATE_MALFORMED: return "the program sent something that is no answer and no "
                                 "question";
@@ -378,9 +383,14 @@ fate_word(fate f)
 const char *
 fate_verb(fate f)
 {
-    static const char *const verb[] = {
-        "fails", "is still to be written", "crashes", "stops at an assertion",
-        "does what C does not define", "does not answer in time", "ends without an answer",
-        "sends what is no answer", "tries what is forbidden"};
+    static const char *const verb[] = {"fails",
+                                       "is still to be written",
+                                       "crashes",
+                                       "stops at an assertion",
+                                       "does what C does not define",
+                                       "does not answer in time",
+                                       "ends without an answer",
+                                       "sends what is no answer",
+                                       "tries what is forbidden"};
     return verb[f];
 }

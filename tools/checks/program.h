@@ -65,7 +65,8 @@ const char *fate_text(fate f);
 /* The same in one word, for tables: "pass" is not among them. */
 const char *fate_word(fate f);
 
-/* What a property does that came out so: "fails" when there was an answer, a wrong one. */
+/* What a property does that came out so: "fails" when there was an answer, a wrong
+ * one. */
 const char *fate_verb(fate f);
 
 #endif

@@ -56,7 +56,8 @@ missing_triangle(triangle_list t, triangle_list in)
         bool found = false;
         for (halfedge_id e = 0; e < 3 * in.count && !found; e++)
             found = side_origin(in, e) == t.corner[i][0] &&
-                    side_dest(in, e) == t.corner[i][1] && side_apex(in, e) == t.corner[i][2];
+                    side_dest(in, e) == t.corner[i][1] &&
+                    side_apex(in, e) == t.corner[i][2];
         if (!found)
             return i;
     }

@@ -30,8 +30,9 @@ void replay_flip(triangle_list list, const quadrilateral *q);
 /* A copy, which the caller frees. */
 triangle_list copy_triangles(triangle_list list);
 
-/* A triangle of t that the other list does not have, in any order, turned in any way; NONE:
- * it has them all. If both are equally long, and those of t differ, they are the same. */
+/* A triangle of t that the other list does not have, in any order, turned in any way;
+ * NONE: it has them all. If both are equally long, and those of t differ, they are the
+ * same. */
 triangle_id missing_triangle(triangle_list t, triangle_list in);
 
 #endif

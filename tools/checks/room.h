@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* An array of `count` items of `size` bytes, all zero; ends the checker when there is no
- * memory, which is the grader's fault and nobody's score. Never NULL for count 0. */
+/* An array of `count` items of `size` bytes, all zero; ends the checker when there is
+ * no memory, which is the grader's fault and nobody's score. Never NULL for count 0. */
 static inline void *
 room_for(size_t count, size_t size)
 {

@@ -24,7 +24,8 @@ set_scene(session *s, scene *sc, uint32_t p, const site *at, uint32_t n)
     sc->p = p;
     sc->before = piece_at_random(trial_random(s), at, others, count, false);
     free(others);
-    sc->around = sphere_of(at, n, sc->before.list, sc->before.path, sc->before.length, 1);
+    sc->around =
+        sphere_of(at, n, sc->before.list, sc->before.path, sc->before.length, 1);
     bool enough = sc->before.list.count > 0 || sc->before.length > 1;
     if (!enough)
         forget_scene(sc);
@@ -58,8 +59,8 @@ void
 show_triangle_of(session *s, svg_style style, const scene *sc, halfedge_id e)
 {
     triangle_list list = sc->around.list;
-    show_triangle(s, style, sc->around.infinity, side_origin(list, e), side_dest(list, e),
-                  side_apex(list, e));
+    show_triangle(s, style, sc->around.infinity, side_origin(list, e),
+                  side_dest(list, e), side_apex(list, e));
 }
 
 static const char *const spot_names[] = {"nowhere", "in a triangle", "on an edge",
@@ -101,6 +102,6 @@ name
 name_of(const scene *sc, halfedge_id e)
 {
     triangle_list list = sc->around.list;
-    return name_of_triangle(sc->around.infinity, side_origin(list, e), side_dest(list, e),
-                            side_apex(list, e));
+    return name_of_triangle(sc->around.infinity, side_origin(list, e),
+                            side_dest(list, e), side_apex(list, e));
 }

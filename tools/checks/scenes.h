@@ -1,5 +1,5 @@
-/* scenes.h - all points but one, and where that one lies: exercises 3.6-a and 3.6-b. And
- * what triangles and edges are called, outside ones too.
+/* scenes.h - all points but one, and where that one lies: exercises 3.6-a and 3.6-b.
+ * And what triangles and edges are called, outside ones too.
  */
 #ifndef TOOLS_CHECKS_SCENES_H
 #define TOOLS_CHECKS_SCENES_H
@@ -18,7 +18,8 @@ typedef struct scene {
  * locations are left. */
 bool set_scene(session *s, scene *sc, uint32_t p, const site *at, uint32_t n);
 
-/* Gives the points and the mesh to the program; the session frees the triangles then. */
+/* Gives the points and the mesh to the program; the session frees the triangles
+ * then. */
 void give_scene(session *s, const scene *sc);
 
 /* Frees the rest, and zeroes what set_scene sets. */
@@ -27,8 +28,8 @@ void forget_scene(scene *sc);
 /* "in a triangle", ... of a spot, or of a place: walk.h. */
 const char *spot_name(spot how);
 
-/* What a failure calls a triangle, "triangle 1-2-3" or "the outside of 1-2", and an edge,
- * "1-2" or "the edge from 1 to infinity". */
+/* What a failure calls a triangle, "triangle 1-2-3" or "the outside of 1-2", and an
+ * edge, "1-2" or "the edge from 1 to infinity". */
 typedef struct name {
     char text[60];
 } name;

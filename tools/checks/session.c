@@ -342,7 +342,8 @@ forget_lists(session *s)
 }
 
 void
-session_trial(session *s, const property *p, uint64_t seed, const site *points, uint32_t n)
+session_trial(session *s, const property *p, uint64_t seed, const site *points,
+              uint32_t n)
 {
     forget_lists(s);
     s->seed = seed;

@@ -78,7 +78,8 @@ letters_of(const uint32_t *order, uint32_t count, char text[2 * MOST_ITEMS + 1])
     return text;
 }
 
-/* The items of an answer between their two neighbours; each once, or the trial fails. */
+/* The items of an answer between their two neighbours; each once, or the trial
+ * fails. */
 static void
 take_order(session *s, uint32_t count, uint32_t *order)
 {
@@ -160,15 +161,21 @@ visit_all(session *s, uint32_t count, fraction *of)
         uint64_t under = 1; /* the leaf has probability 1/under */
         for (uint32_t i = 0; i < l.depth && !failed(s); i++)
             under = under <= UINT32_MAX ? under * l.below[i] : under;
-        expect(s, failed(s) || l.depth > 0 || count < 2,
-               "the shuffle asks for no random number: %lu items always come in the same "
-               "order", (unsigned long)count);
+        expect(
+            s, failed(s) || l.depth > 0 || count < 2,
+            "the shuffle asks for no random number: %lu items always come in the same "
+            "order",
+            (unsigned long)count);
         leaves++;
-        expect(s, leaves <= MOST_LEAVES && under <= UINT32_MAX &&
-                      add_share(&of[rank_of(order, count)], under),
-               "for %lu items the random numbers can come in more than %d ways, which is "
-               "too many to look at: ask for numbers below 2, 3 and so on, up to the number "
-               "of items", (unsigned long)count, MOST_LEAVES);
+        expect(
+            s,
+            leaves <= MOST_LEAVES && under <= UINT32_MAX &&
+                add_share(&of[rank_of(order, count)], under),
+            "for %lu items the random numbers can come in more than %d ways, which is "
+            "too many to look at: ask for numbers below 2, 3 and so on, up to the "
+            "number "
+            "of items",
+            (unsigned long)count, MOST_LEAVES);
     } while (!failed(s) && turn_to_next(&l));
     return leaves;
 }

@@ -152,7 +152,8 @@ print_instances(random_source *source, char exercise)
         } else {
             draw_shape(source, p);
             disturb(source, (int)random_below(source, 60) - 50, p);
-            if (exercise == 'a' && i % 2 == 0) /* mostly two vectors with a common end */
+            if (exercise == 'a' &&
+                i % 2 == 0) /* mostly two vectors with a common end */
                 p[3] = p[1];
         }
         if (all_moderate(p))

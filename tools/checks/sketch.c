@@ -36,7 +36,8 @@ sketch_print(FILE *file, const char *margin, const site *points, uint32_t n)
         unit++;
     memset(line, ' ', sizeof line);
     for (uint32_t i = 0; i < n; i++) {
-        char *at = &line[(points[i].y - low.y) / unit][2 * ((points[i].x - low.x) / unit)];
+        char *at =
+            &line[(points[i].y - low.y) / unit][2 * ((points[i].x - low.x) / unit)];
         if (*at != ' ')
             return;
         *at = (char)('0' + i);

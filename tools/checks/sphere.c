@@ -220,6 +220,7 @@ sphere_triangles(const sphere *s)
     list.corner = room_for(s->list.count, sizeof *list.corner);
     for (triangle_id t = 0; t < s->list.count; t++)
         if (side_to_outside(s, 3 * t) == NONE)
-            add(&list, s->list.corner[t][0], s->list.corner[t][1], s->list.corner[t][2]);
+            add(&list, s->list.corner[t][0], s->list.corner[t][1],
+                s->list.corner[t][2]);
     return list;
 }

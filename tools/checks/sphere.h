@@ -1,9 +1,10 @@
 /* sphere.h - triangulations with the outside: splits and flips that a program reports,
  * done again.
  *
- * One more vertex, at infinity, is joined to both ends of each side that has no twin. So a
- * point that lies outside lies in a triangle, too, and a path has a triangle on either
- * side of each of its edges. A report is believed only where the geometry allows it.
+ * One more vertex, at infinity, is joined to both ends of each side that has no twin.
+ * So a point that lies outside lies in a triangle, too, and a path has a triangle on
+ * either side of each of its edges. A report is believed only where the geometry allows
+ * it.
  */
 #ifndef TOOLS_CHECKS_SPHERE_H
 #define TOOLS_CHECKS_SPHERE_H
@@ -36,8 +37,8 @@ typedef enum spot {
     SPOT_BEYOND    /* in line with the path, beyond its end */
 } spot;
 
-/* How p lies in the triangle of side *e; then *e is the side on which it lies, or the one
- * that leaves the end of the path. */
+/* How p lies in the triangle of side *e; then *e is the side on which it lies, or the
+ * one that leaves the end of the path. */
 spot sphere_spot(const sphere *s, uint32_t p, halfedge_id *e);
 
 /* Joins p to the corners around its spot. Requires: room. */

@@ -12,8 +12,8 @@ next_side(halfedge_id e)
     return e % 3 == 2 ? e - 2 : e + 1;
 }
 
-/* Whether triangle t meets the segment from v to p. Two convex sets are apart exactly when
- * one of the lines along their sides is between them. */
+/* Whether triangle t meets the segment from v to p. Two convex sets are apart exactly
+ * when one of the lines along their sides is between them. */
 typedef enum meeting { APART, TOUCHING, ENTERED } meeting;
 
 static meeting
@@ -45,8 +45,8 @@ take_side(session *s, const scene *sc, uint32_t n, const char *what)
     vertex_id a = take_number(s, 0, n, what), b = take_number(s, 0, n, what);
     vertex_id c = take_number(s, 0, n, what);
     halfedge_id e = failed(s) ? NONE : sphere_side(&sc->around, a, b, c);
-    expect(s, failed(s) || e != NONE, "%s: %lu-%lu-%lu is no triangle of the mesh", what,
-           (unsigned long)a, (unsigned long)b, (unsigned long)c);
+    expect(s, failed(s) || e != NONE, "%s: %lu-%lu-%lu is no triangle of the mesh",
+           what, (unsigned long)a, (unsigned long)b, (unsigned long)c);
     return failed(s) ? NONE : e;
 }
 
@@ -60,21 +60,24 @@ take_place(session *s, const scene *sc, uint32_t n, spot *kind)
         return NONE;
     spot found = sphere_spot(&sc->around, sc->p, &exact);
     expect(s, found != SPOT_NOWHERE,
-           "the place is said to be %s, and %lu does not lie there", name_of(sc, e).text,
-           (unsigned long)sc->p);
+           "the place is said to be %s, and %lu does not lie there",
+           name_of(sc, e).text, (unsigned long)sc->p);
     expect(s, found == *kind, "the place is said to be %s, and %lu lies %s (%s)",
            spot_name(*kind), (unsigned long)sc->p, spot_name(found),
            name_of(sc, e).text);
-    expect(s, found == SPOT_TRIANGLE || e == exact,
-           "the triangle of the place is right, but its half-edge is to lead from %lu to "
-           "%lu", (unsigned long)side_origin(sc->around.list, exact),
-           (unsigned long)side_dest(sc->around.list, exact));
+    expect(
+        s, found == SPOT_TRIANGLE || e == exact,
+        "the triangle of the place is right, but its half-edge is to lead from %lu to "
+        "%lu",
+        (unsigned long)side_origin(sc->around.list, exact),
+        (unsigned long)side_dest(sc->around.list, exact));
     if (failed(s))
         show_triangle_of(s, SVG_BAD, sc, e);
     return failed(s) ? NONE : e;
 }
 
-/* One more triangle of the walk: not twice, beside the one before, and on the segment. */
+/* One more triangle of the walk: not twice, beside the one before, and on the
+ * segment. */
 static void
 check_visit(session *s, const scene *sc, const site *at, uint32_t v, halfedge_id before,
             halfedge_id e, bool *visited)
@@ -128,7 +131,8 @@ take_visits(session *s, const scene *sc, const site *at, uint32_t n, uint32_t v,
     return visits;
 }
 
-/* How many edges end at v and at the vertices on the way to p; also those to infinity. */
+/* How many edges end at v and at the vertices on the way to p; also those to
+ * infinity. */
 static uint32_t
 count_edges_at_start(const scene *sc, const site *at, uint32_t n, uint32_t v)
 {

@@ -4,8 +4,8 @@
 
 #include "tools/checks/checker.h"
 
-/* Exercise 3.6-b: from a random vertex to one of the points, in a mesh of the others. The
- * place is checked; the visits if they are asked for; and with them the number of
+/* Exercise 3.6-b: from a random vertex to one of the points, in a mesh of the others.
+ * The place is checked; the visits if they are asked for; and with them the number of
  * tests. */
 void check_walk(session *s, const site *at, uint32_t n, bool visits, bool tests);
 

@@ -1,8 +1,9 @@
 /* answers.c - questions about points of a student's own, of which answers.txt has the
  * answers (`handout --student`).
  *
- * The student's file is data: it is read here, strictly, and what it is not asked for is
- * left aside. `traces --check` gets a file that is written anew, and knows what is right.
+ * The student's file is data: it is read here, strictly, and what it is not asked for
+ * is left aside. `traces --check` gets a file that is written anew, and knows what is
+ * right.
  */
 #include "tools/grade/grade.h"
 
@@ -15,7 +16,8 @@ enum { MOST_OF_A_LINE = 300 };
 
 static const char letters[] = "abcdefghijklmnopqrstuvwxyz";
 
-/* The line at *rest, without the blanks at its end; *rest moves on. NULL: there is none. */
+/* The line at *rest, without the blanks at its end; *rest moves on. NULL: there is
+ * none. */
 static const char *
 next_line(const char **rest)
 {
@@ -47,7 +49,8 @@ add_question(assignment *a, const char *line)
 static void
 weigh(assignment *a, size_t first)
 {
-    int questions = (int)(a->properties - first), factor = 4 * questions, each = a->total;
+    int questions = (int)(a->properties - first), factor = 4 * questions,
+        each = a->total;
     for (int d = factor; d > 1; d--)
         if (factor % d == 0 && each % d == 0) {
             factor /= d;
@@ -73,7 +76,8 @@ answers_ask(assignment *a, const char *folder)
                 .exercise = line + strlen("---- "), .section = line + strlen("---- "),
                 .title = "first steps on points of your own", .path = ANSWERS,
                 .first = a->properties, .end = a->properties};
-        } else if (a->tasks > a->exercises && word > 0 && strcmp(line + word, ":") == 0) {
+        } else if (a->tasks > a->exercises && word > 0 &&
+                   strcmp(line + word, ":") == 0) {
             add_question(a, line);
         }
     }
@@ -93,8 +97,10 @@ trouble_with(const char *bytes, size_t size)
         char c = bytes[i];
         bool ends = c == '\r' && bytes[i + 1] == '\n';
         if ((c < ' ' && c != '\t' && c != '\n' && !ends) || c > '~')
-            return format(ANSWERS " is not plain text: line %u has a character that cannot "
-                          "be typed in ASCII.", line);
+            return format(ANSWERS
+                          " is not plain text: line %u has a character that cannot "
+                          "be typed in ASCII.",
+                          line);
         line += c == '\n';
         length = c == '\n' ? 0 : length + 1;
         if (length > MOST_OF_A_LINE)
@@ -107,7 +113,8 @@ trouble_with(const char *bytes, size_t size)
 /* What stands behind `question:` below the line `---- section`; NULL: *trouble says why
  * there is no answer. */
 static const char *
-find_answer(const char *rest, const char *section, const char *question, const char **trouble)
+find_answer(const char *rest, const char *section, const char *question,
+            const char **trouble)
 {
     const char *line, *answer = NULL, *begin = format("%s:", question);
     const char *head = format("---- %s", section);
@@ -119,7 +126,8 @@ find_answer(const char *rest, const char *section, const char *question, const c
         if (!here || !begins_with(line, begin))
             continue;
         if (answer != NULL)
-            *trouble = format(ANSWERS " has the line `%s` twice below `%s`.", begin, head);
+            *trouble =
+                format(ANSWERS " has the line `%s` twice below `%s`.", begin, head);
         answer = line + strlen(begin);
     }
     if (answer == NULL)
@@ -128,8 +136,10 @@ find_answer(const char *rest, const char *section, const char *question, const c
         if (strchr("0123456 \t,-", *c) == NULL ||
             (strchr("0123456", *c) != NULL && c[1] != '\0' &&
              strchr("0123456", c[1]) != NULL))
-            *trouble = format("The answer behind `%s` is to have points, which are 0 to 6, "
-                              "with blanks, commas or - between them.", begin);
+            *trouble =
+                format("The answer behind `%s` is to have points, which are 0 to 6, "
+                       "with blanks, commas or - between them.",
+                       begin);
     return *trouble == NULL ? answer : NULL;
 }
 
@@ -170,26 +180,29 @@ mark_answer(const grading *g, const task *t, const char *id, const char *questio
     if (status != 0 || strstr(lines, fail) == NULL)
         *fault = format("traces --check says nothing of %s %s: status %d", t->section,
                         question, status);
-    return mark_in_a_sentence("fail", format("This is not so for the points of %s.", id));
+    return mark_in_a_sentence("fail",
+                              format("This is not so for the points of %s.", id));
 }
 
 void
-answers_mark(const grading *g, const task *t, const char *id, const char *scratch, result *r)
+answers_mark(const grading *g, const task *t, const char *id, const char *scratch,
+             result *r)
 {
     size_t size;
     const char *text = file_bytes(format("%s/src/" ANSWERS, scratch), &size);
     const char *trouble = trouble_with(text, size);
     for (size_t p = t->first; p < t->end; p++) {
         const char *question = g->asked.property[p].name, *why = trouble;
-        const char *answer = why != NULL ? NULL
-                                         : find_answer(text, t->section, question, &why);
+        const char *answer =
+            why != NULL ? NULL : find_answer(text, t->section, question, &why);
         if (answer == NULL)
             r->mark[p] = mark_in_a_sentence("malformed", why);
         else if (answer[strspn(answer, " \t,-")] == '\0')
             r->mark[p] = mark_in_a_sentence("todo", "Nothing has been filled in.");
         else if (!can_be_asked(id))
-            r->mark[p] = mark_in_a_sentence("fail", "Nobody of this name has questions: it "
-                "is to have letters, digits and . _ - @ only.");
+            r->mark[p] = mark_in_a_sentence(
+                "fail", "Nobody of this name has questions: it "
+                        "is to have letters, digits and . _ - @ only.");
         else
             r->mark[p] = mark_answer(g, t, id, question, answer, scratch, &r->fault);
     }

@@ -7,7 +7,8 @@
 
 enum { MOST_FILES = 10000 };
 
-static const char damaged[] = "the archive is damaged: make it again with `make submit`";
+static const char damaged[] =
+    "the archive is damaged: make it again with `make submit`";
 
 static void
 add_file(archive *a, packed_file f)
@@ -24,7 +25,8 @@ add_file(archive *a, packed_file f)
     a->file[a->files++] = f;
 }
 
-/* ---- tar: before each file a block with its name, size and type (POSIX ustar). ---- */
+/* ---- tar: before each file a block with its name, size and type (POSIX ustar).
+ * ---- */
 
 enum { BLOCK = 512 };
 enum { NAME = 0, SIZE = 124, CHECKSUM = 148, TYPE = 156, MAGIC = 257, PREFIX = 345 };
@@ -76,7 +78,8 @@ trouble_with_type(char type)
 static void
 read_tar(archive *a, const char *bytes, size_t size)
 {
-    for (size_t at = 0; a->trouble == NULL && at + BLOCK <= size && is_header(bytes + at);) {
+    for (size_t at = 0;
+         a->trouble == NULL && at + BLOCK <= size && is_header(bytes + at);) {
         const char *header = bytes + at;
         char type = header[TYPE];
         size_t length, room = size - at - BLOCK;
@@ -84,10 +87,13 @@ read_tar(archive *a, const char *bytes, size_t size)
             a->trouble = damaged;
             return;
         }
-        bool is_said_of_others = type == 'x' || type == 'g' || type == 'L' || type == 'K';
+        bool is_said_of_others =
+            type == 'x' || type == 'g' || type == 'L' || type == 'K';
         if (type != '5' && !is_said_of_others)
-            add_file(a, (packed_file){.name = name_in(header), .bytes = header + BLOCK,
-                                      .size = length, .trouble = trouble_with_type(type)});
+            add_file(a, (packed_file){.name = name_in(header),
+                                      .bytes = header + BLOCK,
+                                      .size = length,
+                                      .trouble = trouble_with_type(type)});
         size_t padded = (length + BLOCK - 1) / BLOCK * BLOCK;
         at += BLOCK + (padded <= room ? padded : room);
     }
@@ -115,7 +121,8 @@ number(const char *at, int bytes)
 static const char *
 end_of_zip(const char *bytes, size_t size)
 {
-    for (size_t comment = 0; comment <= UINT16_MAX && size >= END + comment; comment++) {
+    for (size_t comment = 0; comment <= UINT16_MAX && size >= END + comment;
+         comment++) {
         const char *at = bytes + size - END - comment;
         if (number(at, 4) == END_MARK && number(at + 20, 2) == comment)
             return at;
@@ -134,7 +141,8 @@ name_of_row(const char *row)
     return name;
 }
 
-/* The file of a row, which says all about it but where its bytes begin: behind its head. */
+/* The file of a row, which says all about it but where its bytes begin: behind its
+ * head. */
 static packed_file
 file_of_row(const char *bytes, size_t size, const char *row)
 {
@@ -254,7 +262,8 @@ archive_find(const archive *a, const char *path, const char **trouble)
         }
     }
     if (twin != NULL)
-        *trouble = format("the archive has it twice: as %s and as %s", best->name, twin->name);
+        *trouble =
+            format("the archive has it twice: as %s and as %s", best->name, twin->name);
     else if (best != NULL)
         *trouble = best->trouble;
     return best != NULL && *trouble == NULL ? best : NULL;

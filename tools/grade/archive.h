@@ -27,15 +27,17 @@ typedef struct archive {
     const char *trouble; /* NULL, or why it cannot be read */
 } archive;
 
-/* A tar or zip archive, by its bytes, which stay where they are. Folders are not listed. */
+/* A tar or zip archive, by its bytes, which stay where they are. Folders are not
+ * listed. */
 archive archive_read(const char *bytes, size_t size);
 
 /* The file whose name is `path`, or ends with it after a slash: of several the one that
- * is nearest to the top. NULL: there is none; then *trouble may say why. It is never one
- * whose name leads out of the archive. */
+ * is nearest to the top. NULL: there is none; then *trouble may say why. It is never
+ * one whose name leads out of the archive. */
 packed_file *archive_find(const archive *a, const char *path, const char **trouble);
 
-/* How long the ending of an archive's name is: of .tar, .tar.gz, .tgz, .zip; 0: it has none. */
+/* How long the ending of an archive's name is: of .tar, .tar.gz, .tgz, .zip; 0: it has
+ * none. */
 size_t archive_ending(const char *name);
 
 /* Does the name begin with a slash, or does it climb? */

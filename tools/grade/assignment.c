@@ -17,7 +17,8 @@ add_properties(assignment *a, task *t, const char *points)
     while ((word = next_word(&points)) != NULL) {
         const char *colon = strchr(word, ':');
         if (colon == NULL || atoi(colon + 1) <= 0)
-            refuse("assignment.ini: the points of %s are not NAME:NUMBER ...", t->exercise);
+            refuse("assignment.ini: the points of %s are not NAME:NUMBER ...",
+                   t->exercise);
         a->property = take_one_more(a->property, a->properties, sizeof *a->property);
         a->property[a->properties++] = (graded_property){
             .name = part_of(word, (size_t)(colon - word)), .points = atoi(colon + 1)};
@@ -78,8 +79,8 @@ assignment_read(const char *folder)
 
 /* ---- Compiling what all submissions have in common. ---- */
 
-/* What a mode's programs are linked with, but for the files that students write, so that
- * nothing handed out can take the place of a function that is missing. */
+/* What a mode's programs are linked with, but for the files that students write, so
+ * that nothing handed out can take the place of a function that is missing. */
 static void
 archive_given(const grading *g, const char *mode)
 {
@@ -88,10 +89,12 @@ archive_given(const grading *g, const char *mode)
     for (size_t f = 0; f < g->asked.files; f++)
         left_out = format("%s ! -path ./%.*s.o", left_out,
                           (int)strlen(g->asked.file[f]) - 2, g->asked.file[f]);
-    const char *const sh[] = {"sh", "-c", format(
-        "rm -f libgiven.a && "
-        "find ./lib ./chapters -name '*.o'%s | sort >given && ar qcs libgiven.a $(cat given)",
-        left_out), NULL};
+    const char *const sh[] = {"sh", "-c",
+                              format("rm -f libgiven.a && "
+                                     "find ./lib ./chapters -name '*.o'%s | sort "
+                                     ">given && ar qcs libgiven.a $(cat given)",
+                                     left_out),
+                              NULL};
     if (run(folder, sh, 60, 4000, &said, NULL) != 0)
         refuse("%s: what is given cannot be archived: %s", folder, said);
 }
@@ -120,7 +123,8 @@ base_prepare(const grading *g)
                                 "CFLAGS=" GRADING_FLAGS, "programs", NULL};
     int status = run(g->base, make, 600, 8000, &said, NULL);
     if (status != 0)
-        refuse("the tree that was handed out does not compile (status %d):\n%s", status, said);
+        refuse("the tree that was handed out does not compile (status %d):\n%s", status,
+               said);
     for (size_t t = 0; t < g->asked.exercises; t++) {
         bool before = false;
         for (size_t k = 0; k < t; k++)

@@ -33,8 +33,12 @@ static size_t
 decode(const unsigned char *s, size_t left, uint32_t *character)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    size_t length = s[0] < 0x80 ? 1 : s[0] < 0xC2 ? 0 : s[0] < 0xE0 ? 2 : s[0] < 0xF0 ? 3
-        : s[0] < 0xF5 ? 4 : 0;
+    size_t length = s[0] < 0x80   ? 1
+                    : s[0] < 0xC2 ? 0
+                    : s[0] < 0xE0 ? 2
+                    : s[0] < 0xF0 ? 3
+                    : s[0] < 0xF5 ? 4
+                                  : 0;
     if (length == 0 || length > left)
         return 0;
     *character = length == 1 ? s[0] : s[0] & (0x7Fu >> length);
@@ -59,9 +63,10 @@ is_character(uint32_t c)
 static bool
 is_unseen(uint32_t c)
 {
-    return (c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0xAD ||
-        (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
-        (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF || (c >= 0xE0000 && c <= 0xE007F);
+    return (c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0) ||
+           c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
+           (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF ||
+           (c >= 0xE0000 && c <= 0xE007F);
 }
 
 char *
@@ -93,8 +98,8 @@ clean(const char *bytes, size_t size, size_t most)
     return text;
 }
 
-/* A character beyond ASCII, by its number, or by two of them: so the file is the same in
- * every encoding. Returns how many bytes it has. */
+/* A character beyond ASCII, by its number, or by two of them: so the file is the same
+ * in every encoding. Returns how many bytes it has. */
 static size_t
 print_escaped(FILE *file, const char *at)
 {

@@ -2,7 +2,8 @@
  *
  * A student's program, its compiler's messages and file names are full of what a
  * stranger chose. What is left of them here is plain text, in UTF-8: no sequence that
- * moves a cursor or renames a terminal, no character that turns the direction of writing.
+ * moves a cursor or renames a terminal, no character that turns the direction of
+ * writing.
  */
 #ifndef TOOLS_GRADE_CLEAN_H
 #define TOOLS_GRADE_CLEAN_H

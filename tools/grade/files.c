@@ -17,8 +17,8 @@ enum { MOST_OF_A_FILE = 1 << 20, MOST_OF_AN_ARCHIVE = 1 << 25, MOST_ENTRIES = 20
 
 /* ---- Reading one file, without following a link on the way. ---- */
 
-/* What is read ends with a NUL. NULL: *trouble says why, or is NULL when there is no such
- * file. */
+/* What is read ends with a NUL. NULL: *trouble says why, or is NULL when there is no
+ * such file. */
 static char *
 read_descriptor(int d, size_t most, size_t *size, const char **trouble)
 {
@@ -48,7 +48,8 @@ open_below(int folder, const char *path, const char **trouble)
     while (at >= 0) {
         size_t length = strcspn(path, "/");
         bool last = path[length] == '\0';
-        int next = openat(at, part_of(path, length), last ? safely : safely | O_DIRECTORY);
+        int next =
+            openat(at, part_of(path, length), last ? safely : safely | O_DIRECTORY);
         int error = errno;
         close(at);
         if (next < 0 && error != ENOENT)
@@ -97,8 +98,8 @@ has_listed_file(const assignment *a, const char *folder)
     return false;
 }
 
-/* The only archive in the folder, or else its only entry, if that is a folder; NULL if there
- * are none or several. (What a Mac adds to a zip does not count.) */
+/* The only archive in the folder, or else its only entry, if that is a folder; NULL if
+ * there are none or several. (What a Mac adds to a zip does not count.) */
 static const char *
 only_entry(const char *folder, bool packed)
 {
@@ -120,13 +121,15 @@ only_entry(const char *folder, bool packed)
 
 /* The archive at `path`. A tar that gzip has compressed is unpacked first. */
 static archive
-open_archive(const grading *g, const char *path, const char *scratch, const char **trouble)
+open_archive(const grading *g, const char *path, const char *scratch,
+             const char **trouble)
 {
     size_t size;
     const char *slash = strrchr(path, '/');
-    const char *folder = slash != NULL ? part_of(path, (size_t)(slash - path) + 1) : ".";
-    char *bytes = read_below(folder, slash != NULL ? slash + 1 : path, MOST_OF_AN_ARCHIVE,
-                             &size, trouble);
+    const char *folder =
+        slash != NULL ? part_of(path, (size_t)(slash - path) + 1) : ".";
+    char *bytes = read_below(folder, slash != NULL ? slash + 1 : path,
+                             MOST_OF_AN_ARCHIVE, &size, trouble);
     if (bytes == NULL && *trouble == NULL)
         *trouble = "it is not there";
     if (bytes != NULL && size > 2 && memcmp(bytes, "\x1F\x8B", 2) == 0)
@@ -159,7 +162,8 @@ is_listed(const assignment *a, const char *path)
 {
     for (size_t i = 0; i < a->files; i++) {
         const char *name = strrchr(a->file[i], '/');
-        if (strcmp(a->file[i], path) == 0 || (name != NULL && strcmp(name + 1, path) == 0))
+        if (strcmp(a->file[i], path) == 0 ||
+            (name != NULL && strcmp(name + 1, path) == 0))
             return true;
     }
     return false;
@@ -169,7 +173,8 @@ static bool
 is_source(const char *name)
 {
     size_t length = strlen(name);
-    return length > 2 && name[length - 2] == '.' && strchr("chCH", name[length - 1]) != NULL;
+    return length > 2 && name[length - 2] == '.' &&
+           strchr("chCH", name[length - 1]) != NULL;
 }
 
 static bool
@@ -206,22 +211,24 @@ find_strangers(const grading *g, const char *folder, const char *path, strangers
             break;
         if (is_folder(format("%s/%s", folder, name)))
             find_strangers(g, folder, name, s);
-        else if (is_source(name) && !is_listed(&g->asked, name) && !is_in_the_tree(g, name))
+        else if (is_source(name) && !is_listed(&g->asked, name) &&
+                 !is_in_the_tree(g, name))
             add_stranger(s, name);
     }
     if (d != NULL)
         closedir(d);
 }
 
-/* The same in an archive, where the tree may be below some folder. Of what leads elsewhere
- * all is named. */
+/* The same in an archive, where the tree may be below some folder. Of what leads
+ * elsewhere all is named. */
 static void
 find_packed_strangers(const grading *g, const archive *a, strangers *s)
 {
     for (size_t i = 0; i < a->files; i++) {
         const char *name = a->file[i].name;
         bool known = a->file[i].used || !is_source(name);
-        for (const char *part = name; part != NULL && !known && !leads_elsewhere(name);) {
+        for (const char *part = name;
+             part != NULL && !known && !leads_elsewhere(name);) {
             known = is_in_the_tree(g, part) && !is_listed(&g->asked, part);
             part = strchr(part, '/');
             part += part != NULL;
@@ -289,8 +296,9 @@ static char *
 read_as(const grading *g, const submitted *s, const char *path, size_t *size,
         const char **trouble)
 {
-    return s->folder != NULL ? read_below(s->folder, path, MOST_OF_A_FILE, size, trouble)
-                             : read_packed(g, s, path, size, trouble);
+    return s->folder != NULL
+               ? read_below(s->folder, path, MOST_OF_A_FILE, size, trouble)
+               : read_packed(g, s, path, size, trouble);
 }
 
 /* Files may come without their folders: where one uploads them one by one. */
@@ -335,8 +343,9 @@ files_collect(const grading *g, const char *path, const char *to)
         l.notes = format("The submission cannot be read: %s.\n", trouble);
     for (size_t i = 0; i < a->files; i++) {
         size_t size = 0;
-        char *bytes = trouble != NULL ? NULL
-                                      : read_listed(g, &s, a->file[i], &size, &l.trouble[i]);
+        char *bytes = trouble != NULL
+                          ? NULL
+                          : read_listed(g, &s, a->file[i], &size, &l.trouble[i]);
         if (l.trouble[i] != NULL)
             l.trouble[i] = clean(l.trouble[i], strlen(l.trouble[i]), 300);
         else if (bytes == NULL)

@@ -18,7 +18,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* The machines whose calls are known: numbers and arguments of 64 bits, the low word first. */
+/* The machines whose calls are known: numbers and arguments of 64 bits, the low word
+ * first. */
 #if defined __x86_64__ && !defined __ILP32__
 #define MACHINE AUDIT_ARCH_X86_64
 #elif defined __aarch64__ && defined __AARCH64EL__ && !defined __ILP32__
@@ -94,8 +95,8 @@ typedef struct filter {
 static void
 put(filter *f, unsigned code, uint32_t value, unsigned if_true, unsigned if_false)
 {
-    f->at[f->length++] = (struct sock_filter){(unsigned short)code, (unsigned char)if_true,
-                                              (unsigned char)if_false, value};
+    f->at[f->length++] = (struct sock_filter){
+        (unsigned short)code, (unsigned char)if_true, (unsigned char)if_false, value};
 }
 
 static void

@@ -1,10 +1,9 @@
 /* formats.c - a result as files that other systems read.
  *
- *   gradescope   results.json, as Gradescope's autograder specification names the fields
- *   classroom50  result.json, schema classroom50/result/v1
- *   junit        junit.xml, which most systems for continuous integration show
- *   tap          result.tap, the Test Anything Protocol
- *   text         result.txt, for people
+ *   gradescope   results.json, as Gradescope's autograder specification names the
+ * fields classroom50  result.json, schema classroom50/result/v1 junit        junit.xml,
+ * which most systems for continuous integration show tap          result.tap, the Test
+ * Anything Protocol text         result.txt, for people
  *
  * The same submission gives the same bytes: no times, no names of folders.
  */
@@ -18,9 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char fault_text[] =
-    "The grader itself has failed. This is not the fault of the submission, and no score "
-    "has been given.";
+static const char fault_text[] = "The grader itself has failed. This is not the fault "
+                                 "of the submission, and no score "
+                                 "has been given.";
 
 /* "2.3-b sees" */
 static const char *
@@ -64,7 +63,8 @@ write_gradescope(FILE *file, const grading *g, const result *r)
 {
     const assignment *a = &g->asked;
     json_field(file, "{\n  ", "output", r->fault != NULL ? fault_text : r->notes);
-    fprintf(file, ",\n  \"output_format\": \"text\",\n  \"visibility\": \"visible\",\n");
+    fprintf(file,
+            ",\n  \"output_format\": \"text\",\n  \"visibility\": \"visible\",\n");
     json_field(file, "  \"extra_data\": {", "assignment", a->name);
     if (r->fault != NULL)
         json_field(file, ", ", "infra_error", r->fault);
@@ -83,11 +83,12 @@ static const char *
 told(const char *name, const char *otherwise)
 {
     const char *value = getenv(name);
-    return value != NULL && *value != '\0' ? clean(value, strlen(value), 500) : otherwise;
+    return value != NULL && *value != '\0' ? clean(value, strlen(value), 500)
+                                           : otherwise;
 }
 
-/* The instant of the submission, which its tag says: submit/2026-06-01T14-32-05Z-... becomes
- * 2026-06-01T14:32:05Z. NULL if it is another tag. */
+/* The instant of the submission, which its tag says: submit/2026-06-01T14-32-05Z-...
+ * becomes 2026-06-01T14:32:05Z. NULL if it is another tag. */
 static const char *
 instant_of(const char *tag)
 {
@@ -149,7 +150,8 @@ write_junit(FILE *file, const grading *g, const result *r)
     size_t failures = 0;
     for (size_t p = 0; p < a->properties; p++)
         failures += !mark_earned(&r->mark[p]);
-    fprintf(file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite");
+    fprintf(file,
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite");
     xml_attribute(file, "name", format("%s %s", a->name, r->name));
     fprintf(file, " tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"0\">\n",
             a->properties, r->fault != NULL ? 0 : failures,
@@ -219,8 +221,8 @@ write_text(FILE *file, const grading *g, const result *r)
         const mark *m = &r->mark[p];
         fprintf(file, "  %d/%d%s  %-22s %-10s %s\n",
                 mark_earned(m) ? a->property[p].points : 0, a->property[p].points,
-                a->property[p].of->bonus ? " (bonus)" : "", name_of(&a->property[p]), m->word,
-                m->sentence);
+                a->property[p].of->bonus ? " (bonus)" : "", name_of(&a->property[p]),
+                m->word, m->sentence);
     }
     const char *last = "";
     for (size_t p = 0; p < a->properties; p++) {

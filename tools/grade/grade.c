@@ -2,14 +2,14 @@
  *
  *     grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]
  *           [--format LIST] [-o FOLDER] [--csv FILE] [--roster FILE] [--supply]
- *           [--variant NAME] [--answers] [--require-sandbox] [--one] SUBMISSION|FOLDER...
- *     grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o FOLDER
- *     grade --viva ID -a ... SUBMISSION
- *     grade --pack gradescope -a ... [--seed-file FILE] -o FILE.zip
+ *           [--variant NAME] [--answers] [--require-sandbox] [--one]
+ * SUBMISSION|FOLDER... grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o
+ * FOLDER grade --viva ID -a ... SUBMISSION grade --pack gradescope -a ... [--seed-file
+ * FILE] -o FILE.zip
  *
- * docs/grading.md explains it. Exit status: 0 all were graded; 1 refused, standard error
- * says why; 2 the program cannot run; 3 for some submissions the grader has failed, and
- * these have no score.
+ * docs/grading.md explains it. Exit status: 0 all were graded; 1 refused, standard
+ * error says why; 2 the program cannot run; 3 for some submissions the grader has
+ * failed, and these have no score.
  */
 #include "tools/grade/grade.h"
 
@@ -38,14 +38,17 @@ typedef struct request {
 static _Noreturn void
 usage(void)
 {
-    fputs("usage: grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]\n"
-          "             [--format text,gradescope,classroom50,junit,tap] [-o FOLDER]\n"
-          "             [--csv FILE] [--roster FILE] [--supply] [--variant NAME]\n"
-          "             [--answers] [--require-sandbox] [--one] SUBMISSION|FOLDER...\n"
-          "       grade --prepare [-a WEEK|SECTION|EXERCISE] [--base FOLDER] -o FOLDER\n"
-          "       grade --viva ID -a WEEK|SECTION|EXERCISE SUBMISSION\n"
-          "       grade --pack gradescope -a WEEK|SECTION|EXERCISE [--seed-file FILE] "
-          "-o FILE.zip\n", stderr);
+    fputs(
+        "usage: grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] "
+        "[-j N]\n"
+        "             [--format text,gradescope,classroom50,junit,tap] [-o FOLDER]\n"
+        "             [--csv FILE] [--roster FILE] [--supply] [--variant NAME]\n"
+        "             [--answers] [--require-sandbox] [--one] SUBMISSION|FOLDER...\n"
+        "       grade --prepare [-a WEEK|SECTION|EXERCISE] [--base FOLDER] -o FOLDER\n"
+        "       grade --viva ID -a WEEK|SECTION|EXERCISE SUBMISSION\n"
+        "       grade --pack gradescope -a WEEK|SECTION|EXERCISE [--seed-file FILE] "
+        "-o FILE.zip\n",
+        stderr);
     exit(2);
 }
 
@@ -187,18 +190,25 @@ bring_base(const request *r, const grading *g, const char *to)
         refuse("%s", said);
 }
 
-/* For --supply, a copy of the chapters and of splice: in the jail root is nobody, who may
- * not look into the project's folder. */
+/* For --supply, a copy of the chapters and of splice: in the jail root is nobody, who
+ * may not look into the project's folder. */
 static const char *
 bring_reference(const grading *g)
 {
     char *said;
     const char *to = format("%s/reference", g->work);
-    const char *const sh[] = {"sh", "-c",
-        "mkdir -p \"$1/docs\" && cp -R chapters \"$1\" && cp docs/assignments.ini \"$1/docs\" && "
-        "cp \"$0/splice\" \"$1\" && chmod -R a+rX \"$1\"", g->tools, to, NULL};
+    const char *const sh[] = {"sh",
+                              "-c",
+                              "mkdir -p \"$1/docs\" && cp -R chapters \"$1\" && cp "
+                              "docs/assignments.ini \"$1/docs\" && "
+                              "cp \"$0/splice\" \"$1\" && chmod -R a+rX \"$1\"",
+                              g->tools,
+                              to,
+                              NULL};
     if (run(g->project, sh, 60, 2000, &said, NULL) != 0)
-        refuse("--supply needs the project's chapters and splice; run it in its root: %s", said);
+        refuse(
+            "--supply needs the project's chapters and splice; run it in its root: %s",
+            said);
     return to;
 }
 
@@ -221,7 +231,9 @@ read_seed(const char *path)
 static grading
 prepare(const request *r, const char *self)
 {
-    grading g = {.work = make_work(), .tools = own_folder(self), .seed = read_seed(r->seed_file)};
+    grading g = {.work = make_work(),
+                 .tools = own_folder(self),
+                 .seed = read_seed(r->seed_file)};
     const char *compiler = getenv("CC");
     g.base = r->prepare ? from_root(r->output) : format("%s/base", g.work);
     g.project = current_folder();
@@ -278,7 +290,8 @@ leave_row(const grading *g, const submission *s, const result *r, const char *st
         give_up(row_path(g, s));
 }
 
-/* For the class's table. Where not one of the files could be used, somebody should look. */
+/* For the class's table. Where not one of the files could be used, somebody should
+ * look. */
 static const char *
 state_of(const assignment *a, const submission *s, const result *r)
 {
@@ -290,14 +303,16 @@ state_of(const assignment *a, const submission *s, const result *r)
 
 /* ---- Grading. ---- */
 
-/* In a process of its own: whatever becomes of one submission, the others are graded. Until
- * there is a result, and if there is never one, the score is 0. */
+/* In a process of its own: whatever becomes of one submission, the others are graded.
+ * Until there is a result, and if there is never one, the score is 0. */
 static _Noreturn void
 grade_one(const grading *g, const submission *s)
 {
     const char *scratch = format("%s/of/%s", g->work, s->name);
-    result r = result_nothing(&g->asked, s->name, s->path == NULL
-        ? "Nothing was handed in." : "It has not been graded: the grader was interrupted.");
+    result r = result_nothing(
+        &g->asked, s->name,
+        s->path == NULL ? "Nothing was handed in."
+                        : "It has not been graded: the grader was interrupted.");
     formats_write(g, &r, s->output);
     if (s->path != NULL) {
         make_folder(scratch);
@@ -380,9 +395,9 @@ grade_all(const grading *g, class *c, int count)
     return worst;
 }
 
-/* The tree as it was handed out is graded first. Unless each property comes out as "todo"
- * there, something is wrong with this machine or with the tree, and not with anybody's
- * submission. */
+/* The tree as it was handed out is graded first. Unless each property comes out as
+ * "todo" there, something is wrong with this machine or with the tree, and not with
+ * anybody's submission. */
 static void
 check_untouched(const grading *g)
 {
@@ -393,9 +408,11 @@ check_untouched(const grading *g)
         refuse("nothing can be graded here: %s", r.fault);
     for (size_t p = 0; p < g->asked.properties; p++)
         if (strcmp(r.mark[p].word, "todo") != 0)
-            refuse("nothing can be graded here: of the tree as it was handed out, %s %s comes "
-                   "out as %s, and not as todo: %s", g->asked.property[p].of->exercise,
-                   g->asked.property[p].name, r.mark[p].word, r.mark[p].text);
+            refuse("nothing can be graded here: of the tree as it was handed out, %s "
+                   "%s comes "
+                   "out as %s, and not as todo: %s",
+                   g->asked.property[p].of->exercise, g->asked.property[p].name,
+                   r.mark[p].word, r.mark[p].text);
 }
 
 static void
@@ -411,8 +428,8 @@ write_csv(const grading *g, const class *c, const char *path)
         give_up(path);
 }
 
-/* Students have the instances of 3.4 with their signs: a program could know them by heart.
- * So the seed makes others. */
+/* Students have the instances of 3.4 with their signs: a program could know them by
+ * heart. So the seed makes others. */
 static void
 draw_instances(const grading *g)
 {
@@ -465,7 +482,8 @@ main(int argc, char **argv)
 
     grading g = prepare(&r, argv[0]);
     if (r.pack != NULL && g.asked.tasks > g.asked.exercises)
-        refuse("an archive for Gradescope cannot ask for " ANSWERS ": what knows the answers "
+        refuse("an archive for Gradescope cannot ask for " ANSWERS
+               ": what knows the answers "
                "is solutions, which it must not have");
     if (r.pack != NULL)
         draw_instances(&g);

@@ -38,7 +38,7 @@ typedef struct assignment {
     size_t files;
     task *task;
     size_t tasks;
-    size_t exercises;     /* the first tasks; the others are questions of a student's own */
+    size_t exercises; /* the first tasks; the others are questions of a student's own */
     graded_property *property;
     size_t properties;
     int total;
@@ -49,8 +49,8 @@ assignment assignment_read(const char *folder);
 
 #define ANSWERS "answers.txt"
 
-/* Adds the questions of FOLDER/answers.txt, a task for each section: a fifth of the total
- * is theirs (answers.c). */
+/* Adds the questions of FOLDER/answers.txt, a task for each section: a fifth of the
+ * total is theirs (answers.c). */
 void answers_ask(assignment *a, const char *folder);
 
 /* ---- How a grading is done. ---- */
@@ -102,17 +102,18 @@ result result_nothing(const assignment *a, const char *name, const char *because
 bool mark_earned(const mark *m);
 int result_score(const assignment *a, const result *r);
 
-/* Marks a submission, a folder or an archive, in the folder g->work/SCRATCH (mark.c). Pictures
- * of failures go to OUTPUT/feedback. */
+/* Marks a submission, a folder or an archive, in the folder g->work/SCRATCH (mark.c).
+ * Pictures of failures go to OUTPUT/feedback. */
 result mark_submission(const grading *g, const char *name, const char *path,
                        const char *scratch, const char *output);
 
-/* Marks the questions of task t: SCRATCH/src/answers.txt is the file of student `id`. */
+/* Marks the questions of task t: SCRATCH/src/answers.txt is the file of student
+ * `id`. */
 void answers_mark(const grading *g, const task *t, const char *id, const char *scratch,
                   result *r);
 
-/* Writes the files of the formats that were asked for into the folder (formats.c). Each appears
- * whole, in the place of an older one. */
+/* Writes the files of the formats that were asked for into the folder (formats.c). Each
+ * appears whole, in the place of an older one. */
 void formats_write(const grading *g, const result *r, const char *folder);
 
 /* The first of these words that names no format; NULL if all do. */
@@ -132,29 +133,30 @@ listed files_collect(const grading *g, const char *path, const char *to);
 /* Has the folder one of the listed files, with or without its folders? */
 bool has_listed_file(const assignment *a, const char *folder);
 
-/* Opens folder/path, where none of the parts of `path` may be a link, and reads it: at most
- * `most` bytes, and a NUL. NULL: *trouble says why, or is NULL when there is no such file. */
+/* Opens folder/path, where none of the parts of `path` may be a link, and reads it: at
+ * most `most` bytes, and a NUL. NULL: *trouble says why, or is NULL when there is no
+ * such file. */
 char *read_below(const char *folder, const char *path, size_t most, size_t *size,
                  const char **trouble);
 
 /* ---- What gzip has compressed (unpack.c). ---- */
 
-/* Decompresses in the jail, in folders below `scratch`. NULL: *trouble says why; that there
- * are more than `most` bytes, for example. */
-char *unpack(const grading *g, const char *scratch, const char *bytes, size_t size, size_t most,
-             size_t *unpacked_size, const char **trouble);
+/* Decompresses in the jail, in folders below `scratch`. NULL: *trouble says why; that
+ * there are more than `most` bytes, for example. */
+char *unpack(const grading *g, const char *scratch, const char *bytes, size_t size,
+             size_t most, size_t *unpacked_size, const char **trouble);
 
 /* The same for a file in a zip archive. */
-char *unpack_deflated(const grading *g, const char *scratch, const packed_file *f, size_t most,
-                      size_t *unpacked_size, const char **trouble);
+char *unpack_deflated(const grading *g, const char *scratch, const packed_file *f,
+                      size_t most, size_t *unpacked_size, const char **trouble);
 
 /* ---- Running programs (run.c). ---- */
 
 enum { RUN_TOO_LONG = -1 };
 
-/* Runs a program in a folder, with its output and errors in *said: the first `most` bytes,
- * of which there are *said_size. Returns its exit status, 128 + its signal, or RUN_TOO_LONG:
- * then it has been ended. */
+/* Runs a program in a folder, with its output and errors in *said: the first `most`
+ * bytes, of which there are *said_size. Returns its exit status, 128 + its signal, or
+ * RUN_TOO_LONG: then it has been ended. */
 int run(const char *folder, const char *const command[], unsigned seconds, size_t most,
         char **said, size_t *said_size);
 
@@ -170,9 +172,10 @@ typedef struct command_line {
 void command_add(command_line *c, const char *word);
 void command_add_words(command_line *c, const char *words);
 
-/* `jail compile` that reads the folders (ended by NULL) and writes one; what is to be run
- * follows. */
-command_line jail_compile(const grading *g, const char *const reads[], const char *writes);
+/* `jail compile` that reads the folders (ended by NULL) and writes one; what is to be
+ * run follows. */
+command_line
+jail_compile(const grading *g, const char *const reads[], const char *writes);
 
 const char *current_folder(void);
 const char *from_root(const char *path); /* the same place, from / */

@@ -24,8 +24,8 @@
  *                        it should not (without Landlock and not as root)
  *     --without LAYER    leaves a layer out, to see what the others hold
  *
- * `--layers` prints a line for each layer, on or off; its status is 0 if seccomp is on.
- */
+ * `--layers` prints a line for each layer, on or off; its status is 0 if seccomp is
+ * on. */
 #define _GNU_SOURCE
 #include "tools/grade/jail.h"
 
@@ -98,7 +98,8 @@ whole(const char *text)
     char *end;
     errno = 0;
     unsigned long value = strtoul(text, &end, 10);
-    if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 || value > 100000) {
+    if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 ||
+        value > 100000) {
         errno = 0;
         fault("a whole number from 0 to 100000 is needed after an option");
     }

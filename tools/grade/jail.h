@@ -53,8 +53,8 @@ typedef struct message {
     char what[60]; /* and at what it failed */
 } message;
 
-/* Puts on the layers and becomes the program; `outside` is the process that waits, `tell`
- * where messages go. */
+/* Puts on the layers and becomes the program; `outside` is the process that waits,
+ * `tell` where messages go. */
 _Noreturn void jail_inside(const jail *j, pid_t outside, int tell);
 
 /* Descriptors 0 to 4 that nobody has given lead nowhere, so that no file of the jail's
@@ -73,7 +73,8 @@ typedef struct ending {
     message said;       /* and the last of it */
 } ending;
 
-/* The binary in memory, sealed: what is run is what was read, and no path leads to it. */
+/* The binary in memory, sealed: what is run is what was read, and no path leads to
+ * it. */
 int load_binary(const char *path);
 
 /* Starts the process inside and waits for its end. */

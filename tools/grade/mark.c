@@ -40,7 +40,8 @@ result_nothing(const assignment *a, const char *name, const char *because)
 }
 
 static void
-mark_task(result *r, const task *t, const char *word, const char *sentence, const char *text)
+mark_task(result *r, const task *t, const char *word, const char *sentence,
+          const char *text)
 {
     for (size_t p = t->first; p < t->end; p++)
         r->mark[p] = (mark){word, sentence, text, NULL};
@@ -60,8 +61,9 @@ typedef struct build {
 static bool
 is_in_mode(const grading *g, const char *mode, const char *path)
 {
-    return access(format("%s/build/%s/%.*s.o", g->base, mode, (int)strlen(path) - 2, path),
-                  F_OK) == 0;
+    return access(
+               format("%s/build/%s/%.*s.o", g->base, mode, (int)strlen(path) - 2, path),
+               F_OK) == 0;
 }
 
 static const char *
@@ -81,8 +83,8 @@ compiler_in(const build *b)
     return c;
 }
 
-/* Compiles listed file f for a mode; NULL, or what the compiler says. The folder is src/, so
- * that messages name files as the student knows them. */
+/* Compiles listed file f for a mode; NULL, or what the compiler says. The folder is
+ * src/, so that messages name files as the student knows them. */
 static const char *
 compile_file(const build *b, const char *mode, size_t f, const char **fault)
 {
@@ -97,7 +99,8 @@ compile_file(const build *b, const char *mode, size_t f, const char **fault)
     command_add(&c, b->g->asked.file[f]);
     command_add(&c, "-o");
     command_add(&c, object_of(mode, f));
-    int status = run(format("%s/src", b->folder), c.word, 120, MOST_OF_A_TEXT, &said, &size);
+    int status =
+        run(format("%s/src", b->folder), c.word, 120, MOST_OF_A_TEXT, &said, &size);
     if (status == 125)
         *fault = format("the jail of the compiler: %s", clean(said, size, 500));
     if (status == 0)
@@ -116,8 +119,9 @@ is_asked_in(const assignment *a, const char *mode)
     return false;
 }
 
-/* Compiles the listed files in the modes in which something is asked. One that cannot be is
- * replaced by what was handed out, so that the exercises of the other files can be graded. */
+/* Compiles the listed files in the modes in which something is asked. One that cannot
+ * be is replaced by what was handed out, so that the exercises of the other files can
+ * be graded. */
 static void
 compile_files(build *b, const char **fault)
 {
@@ -136,7 +140,8 @@ program_of(const task *t)
     return format("build/%s_%s", t->mode, t->section);
 }
 
-/* Links the program of a task, if it has not been linked; NULL, or what the linker says. */
+/* Links the program of a task, if it has not been linked; NULL, or what the linker
+ * says. */
 static const char *
 link_program(const build *b, const task *t, const char **fault)
 {
@@ -165,7 +170,8 @@ link_program(const build *b, const task *t, const char **fault)
     command_add(&c, format("%s/libgiven.a", given));
     command_add_words(&c, "-lm -o");
     command_add(&c, format("../%s", program_of(t)));
-    int status = run(format("%s/src", b->folder), c.word, 120, MOST_OF_A_TEXT, &said, &size);
+    int status =
+        run(format("%s/src", b->folder), c.word, 120, MOST_OF_A_TEXT, &said, &size);
     if (status == 125)
         *fault = format("the jail of the linker: %s", clean(said, size, 500));
     return status == 0 ? NULL : clean(said, size, MOST_OF_A_TEXT);
@@ -206,7 +212,8 @@ read_feedback(const build *b, const task *t, const char *feedback, result *r)
         size_t size;
         const char *name = g->asked.property[p].name;
         if (table == NULL || !find_line(table, name, m)) {
-            r->fault = format("the checker of %s says nothing of %s", t->exercise, name);
+            r->fault =
+                format("the checker of %s says nothing of %s", t->exercise, name);
             continue;
         }
         char *text = file_bytes(format("%s/%s.txt", folder, name), &size);
@@ -269,8 +276,8 @@ check_task(const build *b, const task *t, const char *feedback, result *r)
     command_add(&c, program_of(t));
     int status = run(b->folder, c.word, CHECKER_SECONDS, MOST_OF_A_TEXT, &said, &size);
     if (status != 42 && status != 43)
-        r->fault = format("the checker of %s ended with status %d: %s", t->exercise, status,
-                          clean(said, size, 500));
+        r->fault = format("the checker of %s ended with status %d: %s", t->exercise,
+                          status, clean(said, size, 500));
     else
         read_feedback(b, t, feedback, r);
     if (jail_fault(b) != NULL)
@@ -286,7 +293,8 @@ file_of(const assignment *a, const task *t)
     refuse("assignment.ini: the file of %s is not listed", t->exercise);
 }
 
-/* ---- The submission, and, where it fails, each exercise with the reference's others. ---- */
+/* ---- The submission, and, where it fails, each exercise with the reference's others.
+ * ---- */
 
 static bool
 all_earned(const result *r, const task *t)
@@ -297,8 +305,8 @@ all_earned(const result *r, const task *t)
     return true;
 }
 
-/* The sources for one exercise of the student's: the rest is the reference's. false: they
- * cannot be put together, or splice has failed itself. */
+/* The sources for one exercise of the student's: the rest is the reference's. false:
+ * they cannot be put together, or splice has failed itself. */
 static bool
 write_spliced(const build *from, const task *t, const char *folder, const char **fault)
 {
@@ -326,7 +334,8 @@ write_spliced(const build *from, const task *t, const char *folder, const char *
     command_add(&c, t->exercise);
     int status = run(folder, c.word, 60, 1 << 20, &text, &size);
     if (status > 1) /* 1: the student's file is too strange */
-        *fault = format("splice ended with status %d: %s", status, clean(text, size, 500));
+        *fault =
+            format("splice ended with status %d: %s", status, clean(text, size, 500));
     if (status != 0)
         return false;
     write_file(format("%s/src/%s", folder, t->path), text, size);
@@ -364,7 +373,8 @@ mark_one(const build *b, const task *t, const char *id, const listed *l, result 
     bool exercise = t < a->task + a->exercises;
     const char *said;
     if (l->trouble[f] != NULL)
-        mark_task(r, t, "refused", format("%s is not used: %s.", t->path, l->trouble[f]),
+        mark_task(r, t, "refused",
+                  format("%s is not used: %s.", t->path, l->trouble[f]),
                   format("%s is not used: %s.", t->path, l->trouble[f]));
     else if (!exercise)
         answers_mark(b->g, t, id, b->folder, r);
@@ -376,8 +386,8 @@ mark_one(const build *b, const task *t, const char *id, const listed *l, result 
                   format("The program cannot be linked:\n%s", said));
     else
         check_task(b, t, format("feedback/%s", t->exercise), r);
-    if (exercise && b->g->reference != NULL && a->exercises > 1 && l->trouble[f] == NULL &&
-        !all_earned(r, t))
+    if (exercise && b->g->reference != NULL && a->exercises > 1 &&
+        l->trouble[f] == NULL && !all_earned(r, t))
         supply(b, t, r);
 }
 
@@ -386,17 +396,23 @@ static void
 keep_pictures(const char *folder, const char *output)
 {
     char *said;
-    const char *const sh[] = {"sh", "-c",
+    const char *const sh[] = {
+        "sh",
+        "-c",
         "rm -rf \"$1/feedback\" && cd \"$0\" && for p in feedback/*/*.svg; do "
-        "[ -f \"$p\" ] || continue; mkdir -p \"$1/${p%/*}\" && cp \"$p\" \"$1/$p\" || exit 1; "
-        "done", folder, output, NULL};
+        "[ -f \"$p\" ] || continue; mkdir -p \"$1/${p%/*}\" && cp \"$p\" \"$1/$p\" || "
+        "exit 1; "
+        "done",
+        folder,
+        output,
+        NULL};
     if (run("/", sh, 60, 2000, &said, NULL) != 0)
         refuse("%s: pictures cannot be kept: %s", output, said);
 }
 
 result
-mark_submission(const grading *g, const char *name, const char *path, const char *scratch,
-                const char *output)
+mark_submission(const grading *g, const char *name, const char *path,
+                const char *scratch, const char *output)
 {
     const assignment *a = &g->asked;
     result r = result_nothing(a, name, "It has not been graded.");

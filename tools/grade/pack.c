@@ -15,7 +15,8 @@
 /* Gradescope runs it once, as root, when it makes the image. */
 static const char setup[] =
     "#!/bin/sh\n"
-    "# Installs a compiler and compiles the grader, in the folder that this script is in.\n"
+    "# Installs a compiler and compiles the grader, in the folder that this script is "
+    "in.\n"
     "set -eu\n"
     "here=${AUTOGRADER:-/autograder}/source\n"
     "if ! command -v cc >/dev/null || ! command -v make >/dev/null; then\n"
@@ -26,12 +27,14 @@ static const char setup[] =
     "chmod 600 seed\n"
     "mkdir -p build\n"
     "compile=\"cc -std=c11 -O1 -I. -D_POSIX_C_SOURCE=200809L\"\n"
-    "jail=$(for part in jail inside outside confine filter; do echo tools/grade/$part.c; done)\n"
+    "jail=$(for part in jail inside outside confine filter; do echo "
+    "tools/grade/$part.c; done)\n"
     "rest=$(find lib tools -name '*.c' | grep -vxF \"$jail\")\n"
     "$compile $jail -o build/jail\n"
     "$compile $rest -o build/grade\n"
     "build/grade --prepare --base base -o ready\n"
-    "build/jail --layers || echo 'There is no seccomp here: programs are confined less.'\n";
+    "build/jail --layers || echo 'There is no seccomp here: programs are confined "
+    "less.'\n";
 
 /* And this one for each submission. What it prints only instructors see. */
 static const char run_autograder[] =
@@ -83,8 +86,10 @@ pack_gradescope(const char *project, const char *base, const char *seed_file,
                 const char *output_path)
 {
     static const char *const sources[] = {
-        "lib/memory.[ch]", "lib/output.[ch]", "lib/status.[ch]", "tools/grade/*.[ch]",
-        "tools/handout/basics.[ch]", "tools/handout/exercises.[ch]", "tools/handout/scan.[ch]",
+        "lib/memory.[ch]",           "lib/output.[ch]",
+        "lib/status.[ch]",           "tools/grade/*.[ch]",
+        "tools/handout/basics.[ch]", "tools/handout/exercises.[ch]",
+        "tools/handout/scan.[ch]",
     };
     output o;
     size_t size = 2;

@@ -30,8 +30,8 @@ become(const char *folder, const char *const command[], int output)
 {
     setpgid(0, 0);
     int nothing = open("/dev/null", O_RDONLY);
-    if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0 ||
-        chdir(folder) != 0)
+    if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(output, 1) < 0 ||
+        dup2(output, 2) < 0 || chdir(folder) != 0)
         _exit(127);
     for (int d = 3; d < 64; d++)
         close(d);
@@ -88,7 +88,8 @@ run(const char *folder, const char *const command[], unsigned seconds, size_t mo
     setpgid(child, child);
     running = child;
     close(ends[1]);
-    bool in_time = listen_until(milliseconds() + 1000L * seconds, ends[0], most, text, &size);
+    bool in_time =
+        listen_until(milliseconds() + 1000L * seconds, ends[0], most, text, &size);
     close(ends[0]);
     if (!in_time)
         kill(-child, SIGKILL);

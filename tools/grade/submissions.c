@@ -42,7 +42,8 @@ add_submission(class *c, const char *name, const char *path)
         if (strcmp(c->at[i].name, name) == 0) {
             if (path == NULL)
                 return;
-            refuse("two submissions have the name %s: %s and %s", name, c->at[i].path, path);
+            refuse("two submissions have the name %s: %s and %s", name, c->at[i].path,
+                   path);
         }
     if (strchr(name, '/') != NULL || name[0] == '.')
         refuse("%s: a submission cannot have this name", name);
@@ -50,8 +51,8 @@ add_submission(class *c, const char *name, const char *path)
     c->at[c->count++] = (submission){.name = name, .path = path};
 }
 
-/* A folder with a file of the assignment, or an archive and nothing else, is one submission;
- * any other holds one in each entry, unless --one says that it does not. */
+/* A folder with a file of the assignment, or an archive and nothing else, is one
+ * submission; any other holds one in each entry, unless --one says that it does not. */
 static bool
 is_class(const assignment *a, bool one, const char *path)
 {
@@ -69,7 +70,8 @@ is_class(const assignment *a, bool one, const char *path)
         archives += archive_ending(e->d_name) > 0;
     }
     closedir(d);
-    return !own && entries > 0 && archives + folders > 0 && !(entries == 1 && archives == 1);
+    return !own && entries > 0 && archives + folders > 0 &&
+           !(entries == 1 && archives == 1);
 }
 
 static int
@@ -89,7 +91,8 @@ add_roster(class *c, const char *path)
         size_t length = strcspn(line, ",;\t\r\n"), all = strcspn(line, "\n");
         bool quoted = length > 1 && line[0] == '"' && line[length - 1] == '"';
         if (length > 0)
-            add_submission(c, part_of(line + quoted, length - 2 * (size_t)quoted), NULL);
+            add_submission(c, part_of(line + quoted, length - 2 * (size_t)quoted),
+                           NULL);
         line += all + (line[all] == '\n');
     }
 }
@@ -117,6 +120,7 @@ find_submissions(const assignment *a, char **paths, bool one, const char *roster
         add_roster(&c, roster);
     qsort(c.at, c.count, sizeof *c.at, by_name);
     for (size_t i = 0; i < c.count; i++)
-        c.at[i].output = alone && roster == NULL ? output : format("%s/%s", output, c.at[i].name);
+        c.at[i].output =
+            alone && roster == NULL ? output : format("%s/%s", output, c.at[i].name);
     return c;
 }

@@ -15,9 +15,10 @@ typedef struct class {
     size_t count;
 } class;
 
-/* Those that the paths (ended by NULL) lead to, and those on the roster, if there is one,
- * in the order of their names. `one`: each path is a submission, however it looks. Results
- * go to `output` if there is one path, to a submission, and below it otherwise. */
+/* Those that the paths (ended by NULL) lead to, and those on the roster, if there is
+ * one, in the order of their names. `one`: each path is a submission, however it looks.
+ * Results go to `output` if there is one path, to a submission, and below it
+ * otherwise. */
 class find_submissions(const assignment *a, char **paths, bool one, const char *roster,
                        const char *output);
 

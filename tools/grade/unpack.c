@@ -10,10 +10,11 @@
 #include <string.h>
 
 char *
-unpack(const grading *g, const char *scratch, const char *bytes, size_t size, size_t most,
-       size_t *unpacked_size, const char **trouble)
+unpack(const grading *g, const char *scratch, const char *bytes, size_t size,
+       size_t most, size_t *unpacked_size, const char **trouble)
 {
-    const char *packed = format("%s/packed", scratch), *work = format("%s/unpacked", scratch);
+    const char *packed = format("%s/packed", scratch),
+               *work = format("%s/unpacked", scratch);
     char *said;
     remove_folder(work);
     make_folder(work);
@@ -32,19 +33,21 @@ unpack(const grading *g, const char *scratch, const char *bytes, size_t size, si
     return *trouble == NULL ? unpacked : NULL;
 }
 
-/* Both formats have the same compressed bytes in the middle; gzip has ten before them, and
- * behind them the checksum and the size. */
+/* Both formats have the same compressed bytes in the middle; gzip has ten before them,
+ * and behind them the checksum and the size. */
 char *
-unpack_deflated(const grading *g, const char *scratch, const packed_file *f, size_t most,
-                size_t *unpacked_size, const char **trouble)
+unpack_deflated(const grading *g, const char *scratch, const packed_file *f,
+                size_t most, size_t *unpacked_size, const char **trouble)
 {
     static const char before[10] = {0x1F, (char)0x8B, 8};
-    char *bytes = take(sizeof before + f->size + 8), *at = bytes + sizeof before + f->size;
+    char *bytes = take(sizeof before + f->size + 8),
+         *at = bytes + sizeof before + f->size;
     memcpy(bytes, before, sizeof before);
     memcpy(bytes + sizeof before, f->bytes, f->size);
     for (unsigned i = 0; i < 4; i++) {
         at[i] = (char)(unsigned char)(f->checksum >> 8 * i & 0xFF);
         at[4 + i] = (char)(unsigned char)(f->whole >> 8 * i & 0xFF);
     }
-    return unpack(g, scratch, bytes, sizeof before + f->size + 8, most, unpacked_size, trouble);
+    return unpack(g, scratch, bytes, sizeof before + f->size + 8, most, unpacked_size,
+                  trouble);
 }

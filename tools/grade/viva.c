@@ -107,7 +107,8 @@ print_bug(const char *project, const char *mutant)
     text = text != NULL ? plant(mutant, text, &place) : NULL;
     if (text == NULL || !scan(text, &s))
         refuse("%s: the bug cannot be planted", path);
-    printf("---- Somebody writes this in %s. Which statement fails, and why? ----\n\n", path);
+    printf("---- Somebody writes this in %s. Which statement fails, and why? ----\n\n",
+           path);
     for (size_t i = 0; i < s.items; i++)
         if (s.item[i].comment <= place && place < s.item[i].end)
             print_function(text, &s.item[i]);

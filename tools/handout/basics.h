@@ -40,7 +40,8 @@ bool has_word(const char *list, const char *word, size_t length);
 char *file_bytes(const char *path, size_t *size);
 
 /* Runs a program in a folder, its output and errors in a file. Returns its exit status;
- * 128 and more when a signal has ended it. A make that it is, or starts, begins anew. */
+ * 128 and more when a signal has ended it. A make that it is, or starts, begins
+ * anew. */
 int run_program(const char *folder, const char *output, const char *const command[]);
 
 /* Ends the program with status 2, or 1: the project or the request is wrong. */

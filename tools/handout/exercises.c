@@ -88,8 +88,8 @@ add_exercise(project *p, const char *id, const char *folder)
     const char *dash = strchr(id, '-');
     e.path = next_word(&rest);
     if (dash == NULL || e.path == NULL)
-        refuse("%s/exercises.ini: [%s] is no number of an exercise with a function", folder,
-               id);
+        refuse("%s/exercises.ini: [%s] is no number of an exercise with a function",
+               folder, id);
     e.section = part_of(id, (size_t)(dash - id));
     e.functions = rest;
     e.helpers = ini_value(&p->keys, id, "helpers");

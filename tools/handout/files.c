@@ -17,7 +17,8 @@ section_of(const char *path)
     if (!begins_with(path, "chapters/"))
         return NULL;
     size_t length = strspn(path + begin, "0123456789.");
-    return length > 0 && path[begin + length] == '_' ? part_of(path + begin, length) : NULL;
+    return length > 0 && path[begin + length] == '_' ? part_of(path + begin, length)
+                                                     : NULL;
 }
 
 static const char *
@@ -39,7 +40,8 @@ static bool
 is_left_out(const char *path)
 {
     const char *name = strrchr(path, '/');
-    return name != NULL && (strcmp(name, "/figures.c") == 0 || begins_with(name, "/fast_"));
+    return name != NULL &&
+           (strcmp(name, "/figures.c") == 0 || begins_with(name, "/fast_"));
 }
 
 static void
@@ -75,7 +77,8 @@ static void
 collect_included(handout *h)
 {
     for (size_t i = 0; i < h->tree.files; i++) {
-        const char *rest = h->tree.file[i].bytes, *path = h->tree.file[i].path, *included;
+        const char *rest = h->tree.file[i].bytes, *path = h->tree.file[i].path,
+                   *included;
         while ((included = next_include(&rest)) != NULL) {
             const char *section = section_of(included);
             if (section == NULL || tree_find(&h->tree, included) != NULL)
@@ -134,8 +137,8 @@ collect_included_from(tree *t, const char *root, const char *folder)
 
 /* ---- The checks. ---- */
 
-/* The instances of 3.4 come with their signs: the program that knows them needs what the
- * project has for its own tests, and stays here. */
+/* The instances of 3.4 come with their signs: the program that knows them needs what
+ * the project has for its own tests, and stays here. */
 static void
 collect_signs(handout *h)
 {

@@ -12,8 +12,8 @@
  * are the student's own (traces.c).
  *
  * The tree is not written before its promises have been seen to be true (proof.c).
- * --no-proof leaves out what takes seconds, compiling and running it: where the same tree
- * has been proved before, as for the second student of a class.
+ * --no-proof leaves out what takes seconds, compiling and running it: where the same
+ * tree has been proved before, as for the second student of a class.
  *
  * Exit status: 0 written; 1 refused, standard error says why; 2 the program cannot run.
  */
@@ -51,8 +51,10 @@ parse(int argc, char **argv)
             understood = false;
     }
     if (!understood || r.what == NULL || r.output == NULL) {
-        fputs("usage, in the root of the project: handout W3|2.3|2.3-b [--variant NAME] "
-              "[--student ID] [--no-proof] -o FOLDER|FILE.tar.gz\n", stderr);
+        fputs(
+            "usage, in the root of the project: handout W3|2.3|2.3-b [--variant NAME] "
+            "[--student ID] [--no-proof] -o FOLDER|FILE.tar.gz\n",
+            stderr);
         exit(2);
     }
     return r;

@@ -30,8 +30,8 @@ squeezed(const char *line, size_t length)
     return text;
 }
 
-/* Fifteen characters, some of them letters; and what to do when memory is out is the same
- * in all functions. */
+/* Fifteen characters, some of them letters; and what to do when memory is out is the
+ * same in all functions. */
 static bool
 is_substantial(const char *line)
 {
@@ -75,7 +75,8 @@ three_in_common(const lines *secret, const lines *open, size_t *at)
     for (size_t i = 0; i + 3 <= secret->count; i++)
         for (size_t k = 0; k + 3 <= open->count; k++) {
             size_t same = 0;
-            while (same < 3 && strcmp(secret->line[i + same], open->line[k + same]) == 0)
+            while (same < 3 &&
+                   strcmp(secret->line[i + same], open->line[k + same]) == 0)
                 same++;
             if (same == 3) {
                 *at = k;
@@ -133,8 +134,8 @@ without_overlap(const tree_file *f, const char *functions)
 
 /* ---- The proof. ---- */
 
-/* What the files of the tree say, to the eyes of an exercise that shares lines with these
- * functions. */
+/* What the files of the tree say, to the eyes of an exercise that shares lines with
+ * these functions. */
 typedef struct open_lines {
     const char *shared;
     lines *of; /* file -> its lines */
@@ -153,18 +154,19 @@ read_open_lines(const handout *h, const char *shared, open_lines *open)
 }
 
 static void
-prove_part(const handout *h, const exercise *e, const open_lines *open, const char *part,
-           size_t length)
+prove_part(const handout *h, const exercise *e, const open_lines *open,
+           const char *part, size_t length)
 {
     lines secret = substantial_lines(part, length);
     for (size_t i = 0; i < h->tree.files; i++) {
         const lines *o = &open->of[i];
         size_t at;
         if (three_in_common(&secret, o, &at))
-            refuse("%s: three lines in a row of a solution of %s stand in the handout, in "
-                   "%s, after line %zu:\n  %s\n  %s\n  %s", h->name, e->id,
-                   h->tree.file[i].path, o->number[at] - 1, o->line[at], o->line[at + 1],
-                   o->line[at + 2]);
+            refuse(
+                "%s: three lines in a row of a solution of %s stand in the handout, in "
+                "%s, after line %zu:\n  %s\n  %s\n  %s",
+                h->name, e->id, h->tree.file[i].path, o->number[at] - 1, o->line[at],
+                o->line[at + 1], o->line[at + 2]);
     }
 }
 
@@ -179,8 +181,9 @@ prove_exercise(const handout *h, const exercise *e, const open_lines *open)
     for (size_t k = 0; k < s.items; k++) {
         const item *part = &s.item[k];
         const char *name = text + part->name;
-        if (part->kind == ITEM_FUNCTION && (has_word(e->functions, name, part->length) ||
-                                            has_word(e->helpers, name, part->length)))
+        if (part->kind == ITEM_FUNCTION &&
+            (has_word(e->functions, name, part->length) ||
+             has_word(e->helpers, name, part->length)))
             prove_part(h, e, open, text + part->body, part->end - part->body);
     }
 }

@@ -1,4 +1,5 @@
-/* pages.c - what a student reads: pages without the solutions, and what is generated. */
+/* pages.c - what a student reads: pages without the solutions, and what is
+ * generated. */
 #include "tools/handout/handout.h"
 
 #include "tools/handout/basics.h"
@@ -9,13 +10,15 @@
 
 /* ---- Pages: quotes and references whose target is not in the tree give way. ---- */
 
-/* The exercise, asked or later, that has taken this name out of the file; NULL if none. */
+/* The exercise, asked or later, that has taken this name out of the file; NULL if
+ * none. */
 static const exercise *
 taken_out(const handout *h, const char *path, const char *name, bool *helper)
 {
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
-        if ((e->role != ROLE_ASKED && e->role != ROLE_LATER) || strcmp(e->path, path) != 0)
+        if ((e->role != ROLE_ASKED && e->role != ROLE_LATER) ||
+            strcmp(e->path, path) != 0)
             continue;
         *helper = has_word(e->helpers, name, strlen(name));
         if (*helper || has_word(e->functions, name, strlen(name)))
@@ -29,7 +32,8 @@ static const char *
 instead_of_quote(const handout *h, const char *line)
 {
     char path[256] = "", name[128] = "", label[128] = "";
-    int fields = sscanf(line, "<!-- code: %255s %127s \"%127[^\"]\"", path, name, label);
+    int fields =
+        sscanf(line, "<!-- code: %255s %127s \"%127[^\"]\"", path, name, label);
     if (fields < 1)
         return NULL;
     if (tree_find(&h->tree, path) == NULL)
@@ -55,15 +59,16 @@ target_path(const char *page, const char *target)
     return *folder != '\0' ? format("%s/%s", folder, target) : target;
 }
 
-/* Writes the line; a link that leads nowhere becomes its text, and a picture that is not
- * there goes. */
+/* Writes the line; a link that leads nowhere becomes its text, and a picture that is
+ * not there goes. */
 static void
 write_line(FILE *out, const handout *h, const char *page, const char *line)
 {
     const char *bracket;
     while ((bracket = strchr(line, '[')) != NULL) {
         size_t text = strcspn(bracket, "]");
-        const char *target = strncmp(bracket + text, "](", 2) == 0 ? bracket + text + 2 : "";
+        const char *target =
+            strncmp(bracket + text, "](", 2) == 0 ? bracket + text + 2 : "";
         size_t length = strcspn(target, ")");
         bool picture = bracket > line && bracket[-1] == '!';
         if (target[length] == '\0') { /* no link */
@@ -125,8 +130,8 @@ write_section_pages(handout *h)
             continue;
         last = e->folder;
         const char *page = format("%s/README.md", e->folder);
-        tree_copy_all(&h->tree, h->project.root, format("%s/figures/*.svg", e->folder), "",
-                      "");
+        tree_copy_all(&h->tree, h->project.root, format("%s/figures/*.svg", e->folder),
+                      "", "");
         tree_copy(&h->tree, h->project.root, page, page);
         tree_file *f = tree_find(&h->tree, page);
         if (f != NULL)
@@ -142,7 +147,8 @@ handout_weave(handout *h)
     const char *const weave[] = {h->weave, NULL};
     tree_write(&h->tree, folder);
     if (run_program(folder, said, weave) != 0)
-        refuse("weave cannot fill the quotes of the pages:\n%s", file_bytes(said, NULL));
+        refuse("weave cannot fill the quotes of the pages:\n%s",
+               file_bytes(said, NULL));
     for (size_t i = 0; i < h->tree.files; i++) {
         const char *path = h->tree.file[i].path;
         if (ends_with(path, "README.md"))
@@ -212,10 +218,13 @@ opaque_text(const handout *h)
         if (e->role == ROLE_ASKED && strcmp(exercise_program(h, e), "opaque") == 0)
             list = format("%s%s%s", list, *list != '\0' ? ", " : "", e->id);
     }
-    return *list == '\0' ? "" : format(
-        "In %s the predicates (`orient2d`, `incircle`, ...) are answered by the checker, "
-        "which also counts them. Then the\ncoordinates of the points say nothing: ask, do "
-        "not compute.\n\n", list);
+    return *list == '\0' ? ""
+                         : format("In %s the predicates (`orient2d`, `incircle`, ...) "
+                                  "are answered by the checker, "
+                                  "which also counts them. Then the\ncoordinates of "
+                                  "the points say nothing: ask, do "
+                                  "not compute.\n\n",
+                                  list);
 }
 
 static const char *
@@ -248,12 +257,17 @@ list_of_pages(const handout *h)
             tree_find(&h->tree, page) == NULL)
             continue;
         last = e->folder;
-        list = format("%s%s[%s](%s)", list, *list != '\0' ? ", " : "", e->section, page);
+        list =
+            format("%s%s[%s](%s)", list, *list != '\0' ? ", " : "", e->section, page);
     }
-    return *list == '\0' ? "" : format(
-        "The pages\nof the sections (%s) have the ideas, the proofs and the pictures. Where "
-        "they speak of other sections,\nof tests, of `build/tri` or of `make` with the number of "
-        "a section, they mean the tree from which yours was taken.", list);
+    return *list == '\0'
+               ? ""
+               : format("The pages\nof the sections (%s) have the ideas, the proofs "
+                        "and the pictures. Where "
+                        "they speak of other sections,\nof tests, of `build/tri` or of "
+                        "`make` with the number of "
+                        "a section, they mean the tree from which yours was taken.",
+                        list);
 }
 
 static const char *
@@ -264,7 +278,8 @@ title_of(const handout *h)
     if (*title != '\0')
         return format("%s: %s", h->name, title);
     if (e != NULL)
-        return format("Exercise %s: %s", h->name, exercise_key(&h->project, e, "title"));
+        return format("Exercise %s: %s", h->name,
+                      exercise_key(&h->project, e, "title"));
     return format("The exercises of section %s", h->name);
 }
 
@@ -273,7 +288,8 @@ variant_text(const handout *h)
 {
     if (*h->variant == '\0')
         return "";
-    const char *asked = "", *text = ini_value(&h->project.assignments, h->variant, "text");
+    const char *asked = "",
+               *text = ini_value(&h->project.assignments, h->variant, "text");
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
         if (is_asked_in_variant(h, e))
@@ -283,22 +299,27 @@ variant_text(const handout *h)
         refuse("docs/assignments.ini has no variant %s", h->variant);
     if (*asked == '\0')
         refuse("no exercise of %s is asked in the variant %s", h->name, h->variant);
-    return format("## This is a variant\n\nIn %s: %s\n\nWhere the pages and the contracts "
-                  "say something else, this paragraph is right.\n\n", asked, text);
+    return format(
+        "## This is a variant\n\nIn %s: %s\n\nWhere the pages and the contracts "
+        "say something else, this paragraph is right.\n\n",
+        asked, text);
 }
 
 static const char *
 answers_text(const handout *h)
 {
-    return *h->student == '\0' ? "" :
-        "\n`answers.txt` asks for first steps of the algorithms, by hand, on seven points of "
-        "your own. Fill it in; it is handed in\nwith the rest and is worth a fifth of all points.\n";
+    return *h->student == '\0' ? ""
+                               : "\n`answers.txt` asks for first steps of the "
+                                 "algorithms, by hand, on seven points of "
+                                 "your own. Fill it in; it is handed in\nwith the rest "
+                                 "and is worth a fifth of all points.\n";
 }
 
 static void
 write_readme(handout *h)
 {
-    tree_copy(&h->tree, h->project.root, "tools/handout/student/README.md", "README.md");
+    tree_copy(&h->tree, h->project.root, "tools/handout/student/README.md",
+              "README.md");
     const char *text = tree_find(&h->tree, "README.md")->bytes;
     text = replace_all(text, "@TITLE@", title_of(h));
     text = replace_all(text, "@EXERCISES@", list_of_exercises(h));
@@ -311,14 +332,15 @@ write_readme(handout *h)
     tree_put(&h->tree, "README.md", text);
 }
 
-/* What the grader and the student's make need to know of the exercises. The names of the
- * reference's helpers are no business of theirs. */
+/* What the grader and the student's make need to know of the exercises. The names of
+ * the reference's helpers are no business of theirs. */
 static void
 write_assignment(handout *h)
 {
-    const char *text = format("# What is asked. Written with the tree; do not edit.\n\n"
-                              "[assignment]\nname = %s\nvariant = %s\nstudent = %s\nfiles = %s\n",
-                              h->name, h->variant, h->student, handout_listed(h));
+    const char *text =
+        format("# What is asked. Written with the tree; do not edit.\n\n"
+               "[assignment]\nname = %s\nvariant = %s\nstudent = %s\nfiles = %s\n",
+               h->name, h->variant, h->student, handout_listed(h));
     for (size_t i = 0; i < h->project.exercises; i++) {
         const exercise *e = &h->project.exercise[i];
         if (e->role != ROLE_ASKED)
@@ -326,7 +348,8 @@ write_assignment(handout *h)
         text = format("%s\n[%s]\n", text, e->id);
         for (size_t k = 0; k < h->project.keys.entries; k++) {
             const ini_entry *entry = &h->project.keys.entry[k];
-            if (strcmp(entry->section, e->id) == 0 && strcmp(entry->key, "helpers") != 0 &&
+            if (strcmp(entry->section, e->id) == 0 &&
+                strcmp(entry->key, "helpers") != 0 &&
                 strcmp(entry->key, "overlap") != 0)
                 text = format("%s%s = %s\n", text, entry->key, entry->value);
         }
@@ -356,8 +379,8 @@ write_make(handout *h)
     tree_put(&h->tree, "assignment.mk",
              format("# What is asked, for make. Written with the tree; do not edit.\n"
                     "EXERCISES =%s\nFILES = %s\nVARIANT = %s\nPROGRAMS =%s\n"
-                    "CHECKERS =%s\n%s", checked, handout_listed(h), h->variant, programs,
-                    checkers, which));
+                    "CHECKERS =%s\n%s",
+                    checked, handout_listed(h), h->variant, programs, checkers, which));
 }
 
 void

@@ -39,10 +39,11 @@ result_of(const char *table, const char *property)
     return "";
 }
 
-/* Each property of the exercise comes out as `wanted`; but what solves the exercise does
- * not solve a variant of it. */
+/* Each property of the exercise comes out as `wanted`; but what solves the exercise
+ * does not solve a variant of it. */
 static void
-prove_exercise(const handout *h, const exercise *e, const char *folder, const char *wanted)
+prove_exercise(const handout *h, const exercise *e, const char *folder,
+               const char *wanted)
 {
     const char *said = format("%s/check.txt", h->scratch);
     const char *const make[] = {"make", "-s", "check", format("EX=%s", e->id), NULL};

@@ -126,7 +126,8 @@ void
 write_from_lower_ends(char *edges)
 {
     unsigned a, b;
-    for (char *at = edges; sscanf(at, "%1u-%1u", &a, &b) == 2; at += at[3] == ' ' ? 4 : 3)
+    for (char *at = edges; sscanf(at, "%1u-%1u", &a, &b) == 2;
+         at += at[3] == ' ' ? 4 : 3)
         if (a > b) {
             at[0] = (char)('0' + b);
             at[2] = (char)('0' + a);
@@ -213,8 +214,8 @@ is_delaunay_everywhere(const mesh *m, const point2 *points)
     return true;
 }
 
-/* Whether the stack keeps half-edges, which a flip turns, or pairs of points must make no
- * difference; and after three flips there must be some left to do. */
+/* Whether the stack keeps half-edges, which a flip turns, or pairs of points must make
+ * no difference; and after three flips there must be some left to do. */
 static bool
 ask_flips(questions *q)
 {

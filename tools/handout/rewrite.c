@@ -205,7 +205,8 @@ is_local(const graft *g, const item *i)
     if (i->length == 0 || i->kind == ITEM_PROTOTYPE)
         return false;
     if (i->kind == ITEM_FUNCTION)
-        return i->is_static && !has_word(g->others, g->from.text + i->name, i->length) &&
+        return i->is_static &&
+               !has_word(g->others, g->from.text + i->name, i->length) &&
                !has_word(g->functions, g->from.text + i->name, i->length);
     return true;
 }

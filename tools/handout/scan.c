@@ -143,8 +143,9 @@ find_word(const char *text, size_t begin, size_t end, const char *word, size_t l
 static bool
 is_attribute(const char *word, size_t length)
 {
-    static const char *const known = "__attribute__ __attribute _Alignas _Static_assert "
-                                     "__declspec __asm__ asm _Pragma";
+    static const char *const known =
+        "__attribute__ __attribute _Alignas _Static_assert "
+        "__declspec __asm__ asm _Pragma";
     return has_word(known, word, length);
 }
 

@@ -3,12 +3,12 @@
  *     traces ID SECTION...                  the questions, as a file to fill in
  *     traces --check ID FILE SECTION...     what is right in a file that was filled in
  *
- * The sections are 2.3, 3.5 and 3.6; others have no questions. Whoever has understood an
- * algorithm does its first steps by hand in minutes; an answer of somebody else is about
- * other points.
+ * The sections are 2.3, 3.5 and 3.6; others have no questions. Whoever has understood
+ * an algorithm does its first steps by hand in minutes; an answer of somebody else is
+ * about other points.
  *
- * --check prints lines NAME<TAB>pass|fail<TAB>sentence, as the checkers do. Exit status:
- * 0; 1 there is no question; 2 the program cannot run.
+ * --check prints lines NAME<TAB>pass|fail<TAB>sentence, as the checkers do. Exit
+ * status: 0; 1 there is no question; 2 the program cannot run.
  */
 #include "tools/handout/questions.h"
 
@@ -29,14 +29,20 @@ print_questions(const questions *q, const char *section)
                "order:\n\nWhich hull vertices of the first six does the seventh see, "
                "counterclockwise\nalong their hull?\nseen:\n");
     if (section[2] == '5')
-        printf("\nFigure 10 begins with these triangles and this stack L; line 5 pushes as "
-               "push_link\ndoes. What is on the stack after three flips, written like L? "
-               "(3-4 or 4-3 is the same.)\nstack:\n\nSomebody forgets line 5, so nothing is "
-               "pushed. Then the loop ends with an edge ab\nthat is not locally Delaunay, and "
-               "opposite to it are c and d. Name one: a b c d.\nwitness:\n");
+        printf(
+            "\nFigure 10 begins with these triangles and this stack L; line 5 pushes "
+            "as "
+            "push_link\ndoes. What is on the stack after three flips, written like L? "
+            "(3-4 or 4-3 is the same.)\nstack:\n\nSomebody forgets line 5, so nothing "
+            "is "
+            "pushed. Then the loop ends with an edge ab\nthat is not locally Delaunay, "
+            "and "
+            "opposite to it are c and d. Name one: a b c d.\nwitness:\n");
     if (section[2] == '6')
-        printf("\nPoints 0 to 5 have a Delaunay triangulation, and point 6 is inserted. Its "
-               "neighbours\nare then, counterclockwise, whichever comes first:\nlink:\n");
+        printf(
+            "\nPoints 0 to 5 have a Delaunay triangulation, and point 6 is inserted. "
+            "Its "
+            "neighbours\nare then, counterclockwise, whichever comes first:\nlink:\n");
 }
 
 /* Copies the words, with one blank between them. */

@@ -82,7 +82,8 @@ tree_sort(tree *t)
 static void
 make_folders(const char *path)
 {
-    for (const char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+    for (const char *slash = strchr(path + 1, '/'); slash;
+         slash = strchr(slash + 1, '/')) {
         const char *folder = part_of(path, (size_t)(slash - path));
         if (mkdir(folder, 0777) != 0 && errno != EEXIST)
             give_up(folder);

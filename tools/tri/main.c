@@ -70,7 +70,8 @@ const command commands[] = {
 static const char files[] =
     "Files: .node, .ele and .edge of Shewchuk's Triangle; points also as\n"
     "lines `x y` or CSV, perhaps with a header (columns x,y or lon,lat, else\n"
-    "the first two), or as bits (of generate --binary). `-` is standard input or output, and so is no -o.\n"
+    "the first two), or as bits (of generate --binary). `-` is standard input or "
+    "output, and so is no -o.\n"
     "Exit status: 0 done, 1 refuted (check), 2 unusable input or arguments.\n";
 
 static void

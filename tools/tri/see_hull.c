@@ -18,7 +18,8 @@ see_start(tracer *w, vertex_id a, vertex_id b)
     w->flipped = false;
 }
 
-/* p has seen the edges opposite it: "no hull edge, ..." or "the hull edges 1-2 and 2-5". */
+/* p has seen the edges opposite it: "no hull edge, ..." or "the hull edges 1-2 and
+ * 2-5". */
 static void
 say_seen(step *s, const mesh *m, vertex_id p)
 {
@@ -63,8 +64,10 @@ see_bridge(tracer *w, vertex_id l, vertex_id r)
     w->l = l;
     w->r = r;
     say_edge(s, l, r);
-    say(s, " is the lower tangent: no point of the two parts lies right of the line from "
-        "%lu to %lu", (unsigned long)l, (unsigned long)r);
+    say(s,
+        " is the lower tangent: no point of the two parts lies right of the line from "
+        "%lu to %lu",
+        (unsigned long)l, (unsigned long)r);
     id_list_add_edge(&s->field[EDGES], l, r);
     step_end(s, STEP_TANGENT);
 
@@ -136,7 +139,9 @@ write_top(tracer *w)
     w->merging = false;
     id_list_add_edge(&s->field[EDGES], w->l, w->r);
     say_edge(s, w->l, w->r);
-    say(s, " is the upper tangent: no point of the two parts lies left of the line from "
-        "%lu to %lu", (unsigned long)w->l, (unsigned long)w->r);
+    say(s,
+        " is the upper tangent: no point of the two parts lies left of the line from "
+        "%lu to %lu",
+        (unsigned long)w->l, (unsigned long)w->r);
     step_end(s, STEP_TOP);
 }

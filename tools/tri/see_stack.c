@@ -1,4 +1,5 @@
-/* see_stack.c - steps of 3.5 and 3.6: edges come to the stack, and are flipped or not. */
+/* see_stack.c - steps of 3.5 and 3.6: edges come to the stack, and are flipped or
+ * not. */
 #include "tools/tri/see.h"
 
 /* ---- On the stack. ---- */
@@ -42,8 +43,8 @@ write_pushes(tracer *w)
 
 /* ---- From the stack. ---- */
 
-/* In 3.6 only a new point can lie in the circle of an old triangle; in 3.5 it is as well
- * to ask for one as for the other. */
+/* In 3.6 only a new point can lie in the circle of an old triangle; in 3.5 it is as
+ * well to ask for one as for the other. */
 static tracer_question
 question_about(const tracer *w, const mesh *m, halfedge_id ab)
 {

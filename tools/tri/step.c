@@ -51,7 +51,8 @@ say(step *s, const char *words, ...)
 {
     va_list arguments;
     va_start(arguments, words);
-    int length = vsnprintf(s->says + s->length, STEP_SAYS - s->length, words, arguments);
+    int length =
+        vsnprintf(s->says + s->length, STEP_SAYS - s->length, words, arguments);
     va_end(arguments);
     s->length += (size_t)length;
     assert(s->length < STEP_SAYS);
@@ -107,12 +108,12 @@ say_count(step *s, uint32_t count, const char *thing)
 /* ---- JSON. ---- */
 
 static const char *const event_name[STEP_KINDS] = {
-    [STEP_START] = "start", [STEP_SEE] = "locate", [STEP_ATTACH] = "attach",
-    [STEP_PUSH] = "push", [STEP_POP] = "pop", [STEP_KEEP] = "keep", [STEP_FLIP] = "flip",
-    [STEP_PUSH_LINK] = "push", [STEP_VISIT] = "visit", [STEP_LOCATE] = "locate",
-    [STEP_SPLIT] = "split", [STEP_MOVE] = "move", [STEP_TANGENT] = "locate",
-    [STEP_BRIDGE] = "bridge", [STEP_DROP_LEFT] = "flip", [STEP_DROP_RIGHT] = "flip",
-    [STEP_RISE] = "flip", [STEP_TOP] = "keep",
+    [STEP_START] = "start",     [STEP_SEE] = "locate",     [STEP_ATTACH] = "attach",
+    [STEP_PUSH] = "push",       [STEP_POP] = "pop",        [STEP_KEEP] = "keep",
+    [STEP_FLIP] = "flip",       [STEP_PUSH_LINK] = "push", [STEP_VISIT] = "visit",
+    [STEP_LOCATE] = "locate",   [STEP_SPLIT] = "split",    [STEP_MOVE] = "move",
+    [STEP_TANGENT] = "locate",  [STEP_BRIDGE] = "bridge",  [STEP_DROP_LEFT] = "flip",
+    [STEP_DROP_RIGHT] = "flip", [STEP_RISE] = "flip",      [STEP_TOP] = "keep",
 };
 
 /* A field is written as a list of groups of so many points (NONE is left out); as a
@@ -121,10 +122,10 @@ static const struct {
     const char *name;
     uint32_t group;
 } form[STEP_FIELDS] = {
-    [REMOVE] = {"remove", 2}, [ADD] = {"add", 2}, [PUSH] = {"push", 2}, [POP] = {"pop", 2},
-    [TURNED] = {"turned", 3}, [INSERT] = {"insert", 1}, [EDGES] = {"edges", 2},
-    [CIRCLE] = {"circle", 1}, [TRIANGLE] = {"triangle", 1}, [POINT] = {"point", 0},
-    [VISITS] = {"visits", 3}, [MOVES] = {"moves", 4},
+    [REMOVE] = {"remove", 2}, [ADD] = {"add", 2},       [PUSH] = {"push", 2},
+    [POP] = {"pop", 2},       [TURNED] = {"turned", 3}, [INSERT] = {"insert", 1},
+    [EDGES] = {"edges", 2},   [CIRCLE] = {"circle", 1}, [TRIANGLE] = {"triangle", 1},
+    [POINT] = {"point", 0},   [VISITS] = {"visits", 3}, [MOVES] = {"moves", 4},
 };
 
 static void

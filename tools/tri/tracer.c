@@ -16,7 +16,8 @@ void
 say_where(tracer *w, const vertex_id circle[3], vertex_id p)
 {
     const point2 *points = w->points;
-    int sign = incircle(points[circle[0]], points[circle[1]], points[circle[2]], points[p]);
+    int sign =
+        incircle(points[circle[0]], points[circle[1]], points[circle[2]], points[p]);
     const char *where = sign > 0 ? "inside" : sign < 0 ? "outside" : "on";
     say_point(&w->step, p);
     say(&w->step, " lies %s the circle of ", where);

@@ -16,7 +16,7 @@ typedef enum tracer_pending {
 /* An edge ab has been taken from the stack. What is asked about it? */
 typedef struct tracer_question {
     enum { OF_CIRCLE, OF_HULL, OF_RAY } kind;
-    vertex_id a, b;      /* the edge; OF_RAY, from a to infinity: the hull edge beside it */
+    vertex_id a, b; /* the edge; OF_RAY, from a to infinity: the hull edge beside it */
     vertex_id circle[3]; /* OF_CIRCLE: does p lie inside this one? */
     vertex_id p;         /* OF_RAY: does p see ab? */
 } tracer_question;

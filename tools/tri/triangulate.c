@@ -68,7 +68,8 @@ parse_options(int *argc, char **argv)
     if ((text = take_option(argc, argv, "--cuts")) != NULL)
         options.cuts = (tri_cuts)parse_word(argv[0], "--cuts", text, cuts, 2);
     if ((text = take_option(argc, argv, "--locator")) != NULL)
-        options.locator = (tri_locator)parse_word(argv[0], "--locator", text, locators, 4);
+        options.locator =
+            (tri_locator)parse_word(argv[0], "--locator", text, locators, 4);
     if ((text = take_option(argc, argv, "--seed")) != NULL)
         options.seed = parse_whole(argv[0], "--seed", text, UINT64_MAX);
     if ((text = take_option(argc, argv, "--threads")) != NULL)

@@ -56,7 +56,8 @@ solve_seeing(void)
     free(points);
 }
 
-/* The exercise 2.3-c: points and a direction; the triangles, and the edges of a path. */
+/* The exercise 2.3-c: points and a direction; the triangles, and the edges of a
+ * path. */
 static void
 solve_sweep(void)
 {

@@ -2,8 +2,8 @@
 #include "chapters/3.4_primitives/predicates.h"
 #include "tools/checks/student/driver.h"
 
-/* The exercises 3.4-a and 3.4-b: a number of questions, each of four points; the sign of
- * each. */
+/* The exercises 3.4-a and 3.4-b: a number of questions, each of four points; the sign
+ * of each. */
 void
 solve(char exercise)
 {

@@ -6,8 +6,8 @@
 
 #include <stdlib.h>
 
-/* The exercise 3.5-a: points and a mesh; for each side of each triangle, and then for its
- * twin, whether it is locally Delaunay. */
+/* The exercise 3.5-a: points and a mesh; for each side of each triangle, and then for
+ * its twin, whether it is locally Delaunay. */
 static void
 solve_locally_delaunay(void)
 {
@@ -92,8 +92,8 @@ answer_turns(const recorder *r)
     }
 }
 
-/* The exercise 3.5-c: points and a mesh; the flips, the triangles afterwards, and how the
- * edges came and went: at most 3n at first, and four for each flip. */
+/* The exercise 3.5-c: points and a mesh; the flips, the triangles afterwards, and how
+ * the edges came and went: at most 3n at first, and four for each flip. */
 static void
 solve_lawson_flip(void)
 {
@@ -120,7 +120,8 @@ solve_lawson_flip(void)
     free(points);
 }
 
-/* The exercise 3.5-d: points and two meshes; the flips that lead from one to the other. */
+/* The exercise 3.5-d: points and two meshes; the flips that lead from one to the
+ * other. */
 static void
 solve_flip_path(void)
 {

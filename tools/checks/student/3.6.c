@@ -178,8 +178,8 @@ solve_insertion(tri_locator how)
     free(points);
 }
 
-/* The exercise 3.6-d: how to draw (0: as the checker says, else a seed), and how many items;
- * the items 1, 2, ... afterwards, between two zeros that are none of them. */
+/* The exercise 3.6-d: how to draw (0: as the checker says, else a seed), and how many
+ * items; the items 1, 2, ... afterwards, between two zeros that are none of them. */
 static void
 solve_shuffle(void)
 {

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-/* The exercise 3.7-a: points, the meshes of the left and of the right ones, the last and
- * the first of them; the mesh of both. */
+/* The exercise 3.7-a: points, the meshes of the left and of the right ones, the last
+ * and the first of them; the mesh of both. */
 static void
 solve_merge(void)
 {

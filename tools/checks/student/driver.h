@@ -29,8 +29,8 @@ point2 *case_points(uint32_t *n);
 uint32_t *case_numbers(uint32_t *n);
 
 /* A number t, then three corners for each of t triangles; and the mesh of them. For
- * t = 0 a path follows: its length, and its vertices. Returns the number of sides: half-edge
- * e of the mesh is side e of the case. */
+ * t = 0 a path follows: its length, and its vertices. Returns the number of sides:
+ * half-edge e of the mesh is side e of the case. */
 uint32_t case_mesh(uint32_t n, mesh *m);
 
 /* Adds the triangles of `part` to those of *m, ghosts included: half-edge 0 of `part`
