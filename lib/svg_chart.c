@@ -137,8 +137,8 @@ place_of(const axes *a, double x, double y)
                     between(y, a->low.y, a->high.y, a->corner.y, a->top.y)};
 }
 
-/* The next of 1, 2, 5, 10, 20, 50, ... after v, which is one of them; of 1, 10, 100, ...
- * on an axis that is too long for more. */
+/* The next of 1, 2, 5, 10, 20, 50, ... after v, which is one of them; of 1, 10, 100,
+ * ... on an axis that is too long for more. */
 static double
 next_tick(double v, bool tens)
 {
