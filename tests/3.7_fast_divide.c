@@ -163,6 +163,49 @@ answers_are_right(const point2 *points, uint32_t n)
     }
 }
 
+static point2
+on_unit_circle(void)
+{
+    double t = 2 * random_unit(test_random_source()) - 1, s = 1 + t * t;
+    return (point2){(1 - t * t) / s, 2 * t / s};
+}
+
+/* The products of which fast_is_inside takes the difference, for sites l, r, p and q. */
+static void
+products_of(const point2 at[4], double product[2])
+{
+    fast_run run = run_of(at, 4, 0);
+    fast_view ps = fast_look(&run, 2, 0, 1), qs = fast_look(&run, 3, 0, 1);
+    product[0] = ps.dot * qs.turn;
+    product[1] = qs.dot * ps.turn;
+    free(run.site);
+}
+
+/* Points of a circle so large that both products are about 2^1024: rounded, one may
+ * overflow and the other not. Then their difference is infinite, and says nothing. */
+static void
+one_product_may_overflow(void)
+{
+    uint32_t overflows = 0;
+    for (int i = 0; i < 40000; i++) {
+        point2 at[4];
+        double product[2];
+        for (int k = 0; k < 4; k++)
+            at[k] = on_unit_circle();
+        products_of(at, product);
+        if (fabs(product[0]) < 0x1p-20)
+            continue;
+        double radius = ldexp(sqrt(sqrt(1 / fabs(product[0]))), 256);
+        for (int k = 0; k < 4; k++)
+            at[k] = (point2){at[k].x * radius, at[k].y * radius};
+        EXPECT_RIGHT_ANSWERS("fast.P2", at, 0);
+        products_of(at, product);
+        bool first = isfinite(product[0]), second = isfinite(product[1]);
+        overflows += first != second;
+    }
+    CLAIM("fast.P2", overflows >= 1000, "one product overflowed %u times", overflows);
+}
+
 static double
 random_whole(uint32_t most)
 {
@@ -265,13 +308,6 @@ random_number(int least, int most)
     int exponent = least + (int)random_below(s, (uint32_t)(most - least + 1));
     uint32_t kind = random_below(s, 4);
     return kind == 0 ? 0 : ldexp(kind == 1 ? -x : x, exponent);
-}
-
-static point2
-on_unit_circle(void)
-{
-    double t = 2 * random_unit(test_random_source()) - 1, s = 1 + t * t;
-    return (point2){(1 - t * t) / s, 2 * t / s};
 }
 
 /* x, or a double or two above it. */
@@ -466,6 +502,7 @@ main(int argc, char **argv)
     test_near_degenerate("threads", threads_change_nothing, 200, 60);
     test_random("answers", answers_are_right, 3000, 30);
     test_near_degenerate("answers", answers_are_right, 5000, 30);
+    test_run("answers, one product overflows", one_product_may_overflow);
     test_run("whole multiples", whole_multiples_are_right);
     test_random("more bits", more_bits_are_right, 1000, 30);
     test_near_degenerate("more bits", more_bits_are_right, 3000, 30);

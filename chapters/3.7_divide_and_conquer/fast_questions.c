@@ -20,7 +20,8 @@ fast_bounds(fast_run *run, double width, double height, double unit)
 {
     double most = 0x1.01p0 * (width * width + height * height); /* squared length */
     run->sure_turn = 0x1p-51 * most + DBL_MIN;
-    run->sure_circle = 0x1.5p-49 * most * most + 0x1p-998 * (1 + most);
+    /* In this order it is infinite if a product of fast_is_inside is. */
+    run->sure_circle = 0x1.5p-49 * (most * most) + 0x1p-998 * (1 + most);
     run->whole_turn = 0x1p53 * unit * unit;
     run->whole_circle = 0x1p26 * unit * unit;
     run->twice_whole_circle = 0x1p50 * unit * unit;
