@@ -14,10 +14,11 @@ trap 'rm -rf "$work"' EXIT
 : >"$work/directory"
 
 number() { # number VALUE BYTES: the low one first
-    value=$1
-    for byte in $(seq "$2"); do
+    value=$1 bytes=$2
+    while [ "$bytes" -gt 0 ]; do
+        # shellcheck disable=SC2059 # the format is the byte
         printf "\\$(printf %03o $((value % 256)))"
-        value=$((value / 256))
+        value=$((value / 256)) bytes=$((bytes - 1))
     done
 }
 
@@ -49,7 +50,7 @@ while [ $# -gt 0 ]; do
         number $((3 * 256 + 20)) 2 # made by Unix
         common "$name" "$file"
         number 0 6 # no comment, first disk, bytes
-        number $(($mode * 65536)) 4
+        number $((mode * 65536)) 4
         number "$place" 4
         printf %s "$name"
     } >>"$work/directory"

@@ -73,6 +73,7 @@ report "the links of $(wc -l <"$scratch/pages") pages lead somewhere" "$scratch/
 # What pandoc cannot write as MathML it leaves as it is, in an element of this class.
 # shellcheck disable=SC2046
 grep -l 'class="math' $(cat "$scratch/pages") >"$scratch/formulas"
+# shellcheck disable=SC2046
 grep -l '<math' $(cat "$scratch/pages") >"$scratch/with" ||
     echo "no page has a formula" >>"$scratch/formulas"
 report "the formulas on $(wc -l <"$scratch/with") pages are MathML" "$scratch/formulas"
