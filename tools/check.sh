@@ -216,6 +216,18 @@ pictures_are_current() {
     return $status
 }
 
+# A line that has been wrapped or renamed is no longer where a bug can be planted.
+bugs_have_their_places() {
+    status=0
+    for bug in tests/mutants/*.mutant; do
+        source=$(sed -n 's/^file: *//p' "$bug")
+        awk -f tests/plant.awk "$bug" "$source" >"$scratch/planted" && continue
+        echo "$bug cannot be planted in $source; correct its line replace:"
+        status=1
+    done
+    return $status
+}
+
 # ---- One after the other. ---- #
 
 passed=0
@@ -250,6 +262,7 @@ check "the map of the notes has every test, and code for all that stands" \
 check "the names in the glossary exist" glossary_names_exist
 check "every picture is shown on its page" pictures_are_shown
 check "every picture is what its program draws" pictures_are_current
+check "every bug of tests/mutants can be planted" bugs_have_their_places
 
 echo "to come: $(map_rows | grep -c ' planned$') rows of the map," \
     "$(errata | grep -c ' planned$') errata"

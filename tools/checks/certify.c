@@ -224,8 +224,9 @@ certify(const site *points, uint32_t n, triangle_list list, bool delaunay)
             continue;
         vertex_id w[4] = {side_origin(list, e), side_dest(list, e), side_apex(list, e),
                           side_apex(list, twin[e])};
-        if (plane_incircle(points[w[0]], points[w[1]], points[w[2]], points[w[3]]) >
-            0) {
+        int where = plane_incircle(points[w[0]], points[w[1]], points[w[2]],
+                                   points[w[3]]);
+        if (where > 0) {
             v = verdict_refuted("%lu lies inside the circle of triangle %lu-%lu-%lu",
                                 (unsigned long)w[3], (unsigned long)w[0],
                                 (unsigned long)w[1], (unsigned long)w[2]);
