@@ -34,8 +34,8 @@ const algorithm contents[] = {
      &incremental_steps},
     {"divide", "3.7", "divide_triangulate", divide_triangulate, true, UINT32_MAX,
      "halves, divided along a line again and again, are merged", &divide_steps},
-    {"fast", "3.7", "fast_divide_triangulate", fast_divide_triangulate, true, UINT32_MAX,
-     "the same, cut across and along, laid out for a machine", NULL},
+    {"fast", "3.7", "fast_divide_triangulate", fast_divide_triangulate, true,
+     UINT32_MAX, "the same, cut across and along, laid out for a machine", NULL},
 };
 
 const uint32_t contents_count = sizeof contents / sizeof contents[0];

@@ -170,7 +170,7 @@ on_unit_circle(void)
     return (point2){(1 - t * t) / s, 2 * t / s};
 }
 
-/* The products of which fast_is_inside takes the difference, for sites l, r, p and q. */
+/* The products of which fast_is_inside takes the difference; for sites l, r, p, q. */
 static void
 products_of(const point2 at[4], double product[2])
 {

@@ -84,7 +84,8 @@ split(mesh *m, place at, vertex_id p)
         mesh_hull_join(m, at.e, at.e, p);
         break;
     }
-    trace_report(m, (trace_event){TRACE_SPLIT, mesh_leaving(m, p), p, NONE, NONE, NONE});
+    trace_report(m, (trace_event){TRACE_SPLIT, mesh_leaving(m, p), p, NONE, NONE,
+                                  NONE});
 }
 
 /* ---- Lines 5 and 6: around the new vertex. ---- */

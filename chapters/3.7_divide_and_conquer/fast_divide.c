@@ -58,8 +58,8 @@ find_unit(fast_work *self, uint32_t piece)
     load->unit_of[piece] = unit >= load->least ? unit : 0;
 }
 
-/* A unit is of use if so few of them make up all coordinates that differences are exact,
- * and if none of its powers is too large or too small. */
+/* A unit is of use if so few of them make up all coordinates that differences are
+ * exact, and if none of its powers is too large or too small. */
 static double
 unit_of_all(loading *load, int exponent, uint32_t threads)
 {
@@ -94,13 +94,15 @@ scale_sites(fast_site *site, uint32_t n, int k)
 static double
 largest_in(fast_box b)
 {
-    return fmax(fmax(fabs(b.low[0]), fabs(b.low[1])), fmax(fabs(b.high[0]), fabs(b.high[1])));
+    return fmax(fmax(fabs(b.low[0]), fabs(b.low[1])),
+                fmax(fabs(b.high[0]), fabs(b.high[1])));
 }
 
 /* Fills in the sites and the bounds; returns the box around all. Sites whose products
  * would over- or underflow are brought to where they do not. */
 static fast_box
-load_all(fast_run *run, double *unit, const point2 *points, uint32_t n, uint32_t threads)
+load_all(fast_run *run, double *unit, const point2 *points, uint32_t n,
+         uint32_t threads)
 {
     loading load = {.work = {load_piece}, .points = points, .n = n, .site = run->site};
     load.pieces = threads < n ? threads : n;

@@ -80,8 +80,8 @@ count_places(fast_work *self, uint32_t piece)
     x->place[piece + 1] = 3 * triangles;
 }
 
-/* The places of a triangle are written at each of its half-edges: to a half-edge that is
- * nowhere, if it is not the lowest. */
+/* The places of a triangle are written at each of its half-edges: to a half-edge that
+ * is nowhere, if it is not the lowest. */
 static void
 place_triangles(fast_work *self, uint32_t piece)
 {

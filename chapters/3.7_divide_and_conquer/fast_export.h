@@ -1,4 +1,5 @@
-/* fast_export.h - from half-edges without triangles to the mesh; no program includes it.
+/* fast_export.h - from half-edges without triangles to the mesh; no program includes
+ * it.
  *
  * Notes: section 3.7. Needs: fast_parts.h.
  */

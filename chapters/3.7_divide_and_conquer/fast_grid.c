@@ -73,7 +73,7 @@ fast_box_of_most(const fast_site *site, uint32_t count, fast_box all)
 /* How to find a site's cell. */
 typedef struct grid {
     double low[2], scale[2], most[2];    /* coordinate -> column and row */
-    uint16_t spread[2][FAST_GRID_CELLS]; /* column and row -> their bits of the number */
+    uint16_t spread[2][FAST_GRID_CELLS]; /* column, row -> their bits of the number */
 } grid;
 
 /* The numbers of all columns (or rows), whose bits go to the given places. */
@@ -193,8 +193,8 @@ add_up(sorting *s, fast_cells *cells)
 }
 
 bool
-fast_grid_sort(fast_cells *cells, fast_box box, int bits, fast_site *from, fast_site *to,
-               uint32_t count, uint32_t threads)
+fast_grid_sort(fast_cells *cells, fast_box box, int bits, fast_site *from,
+               fast_site *to, uint32_t count, uint32_t threads)
 {
     grid g;
     if (!plan(&g, cells, box, bits))

@@ -37,9 +37,9 @@ fast_box fast_box_join(fast_box a, fast_box b);
 fast_box fast_box_of_most(const fast_site *site, uint32_t count, fast_box all);
 
 /* Halves the box `bits` times and moves the sites to `to`, those of cell 0 first. Sites
- * outside the box are in the cells at its border. Changes from[].edge. False, and nothing
- * has happened, when doubles cannot measure the box. More threads than one need memory; if
- * there is none, one will do.
+ * outside the box are in the cells at its border. Changes from[].edge. False, and
+ * nothing has happened, when doubles cannot measure the box. More threads than one need
+ * memory; if there is none, one will do.
  *
  * Two sites in different halves differ in that coordinate: a column grows with x, since
  * rounding is monotonic. */

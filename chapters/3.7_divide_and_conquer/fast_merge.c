@@ -66,8 +66,8 @@ fast_pool_join(const fast_run *run, fast_pool a, fast_pool b)
     return a;
 }
 
-/* Links e between the half-edge f and the one counterclockwise of it; all leave the same
- * site. */
+/* Links e between the half-edge f and the one counterclockwise of it; all leave the
+ * same site. */
 static void
 link_after(const fast_run *run, halfedge_id f, halfedge_id e)
 {

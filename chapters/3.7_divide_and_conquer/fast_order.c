@@ -119,8 +119,8 @@ divide_sorted(fast_worker *w, uint32_t lo, uint32_t count, int axis)
 /* Sorts sites along the axis and triangulates them, or writes it down.
  *
  * The half-edges of sites lo and up have their run->cw where spare has had these sites.
- * That is safe: parts are taken in order, so spare holds none before lo any more, and those
- * have used up none but their own half-edges. */
+ * That is safe: parts are taken in order, so spare holds none before lo any more, and
+ * those have used up none but their own half-edges. */
 static fast_part
 take_few(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int axis)
 {
@@ -204,8 +204,8 @@ divide_at_median(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count,
 
 /* ---- Many sites, sorted into cells. ---- */
 
-/* The sites of the 2^bits cells from number `first` on. With more than `many` in one cell
- * another grid might help as little: that cell is cut at its median first. */
+/* The sites of the 2^bits cells from number `first` on. With more than `many` in one
+ * cell another grid might help as little: that cell is cut at its median first. */
 static fast_part
 divide_cells(fast_worker *w, const fast_cells *cells, fast_site *from, uint32_t lo,
              uint32_t first, int bits, uint32_t many)
@@ -271,8 +271,9 @@ divide_more(fast_worker *w, fast_site *from, uint32_t lo, uint32_t count, int ax
 
 /* ---- The plan. ---- */
 
-/* Tells each step where it begins and which cut needs it. The last step of a cut's second
- * part stands before the cut, that of its first part before where the second begins. */
+/* Tells each step where it begins and which cut needs it. The last step of a cut's
+ * second part stands before the cut, that of its first part before where the second
+ * begins. */
 static void
 link_steps(fast_plan *plan)
 {

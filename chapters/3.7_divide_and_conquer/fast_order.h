@@ -9,8 +9,8 @@
 #include "chapters/3.7_divide_and_conquer/fast_share.h"
 #include "lib/random.h"
 
-/* Up to how many sites are a part for one thread (job), and are sorted instead of divided
- * by cells (few). The number of threads changes nothing but the time. */
+/* Up to how many sites are a part for one thread (job), and are sorted instead of
+ * divided by cells (few). The number of threads changes nothing but the time. */
 typedef struct fast_limits {
     uint32_t few, job, threads;
 } fast_limits;
@@ -67,6 +67,7 @@ tri_status fast_make_plan(fast_plan *plan, fast_run *run, fast_site *spare, uint
                           fast_limits limits, fast_box box);
 
 /* Merges two parts, the first before the second along the axis. */
-fast_part fast_cut(const fast_run *run, fast_pool *pool, int axis, fast_part a, fast_part b);
+fast_part fast_cut(const fast_run *run, fast_pool *pool, int axis, fast_part a,
+                   fast_part b);
 
 #endif

@@ -18,8 +18,8 @@
 
 #include "lib/mesh.h"
 
-/* Tells the machine that what p points to will be wanted soon: it may be far away. p need
- * not point to anything. */
+/* Tells the machine that what p points to will be wanted soon: it may be far away. p
+ * need not point to anything. */
 #if defined __GNUC__
 #define FAST_SOON(p) __builtin_prefetch(p)
 #else

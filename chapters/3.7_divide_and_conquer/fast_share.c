@@ -30,7 +30,8 @@ fast_share(fast_work *work, uint32_t tasks, uint32_t threads)
 #ifdef FAST_THREADS
     thrd_t helper[FAST_MOST_THREADS];
     uint32_t helpers = 0;
-    while (helpers + 1 < threads && helpers + 1 < tasks && helpers < FAST_MOST_THREADS &&
+    while (helpers + 1 < threads && helpers + 1 < tasks &&
+           helpers < FAST_MOST_THREADS &&
            thrd_create(&helper[helpers], help, &c) == thrd_success)
         helpers++;
     help(&c);

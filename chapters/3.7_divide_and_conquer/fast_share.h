@@ -21,7 +21,8 @@ typedef unsigned fast_count;
 
 enum { FAST_MOST_THREADS = 64 }; /* more are not used */
 
-/* What is to be done: a struct that begins with this one and adds what the tasks need. */
+/* What is to be done: a struct that begins with this one and adds what the tasks
+ * need. */
 typedef struct fast_work {
     void (*task)(struct fast_work *self, uint32_t number);
 } fast_work;
@@ -30,8 +31,8 @@ typedef struct fast_work {
  * returns when all are done. Requires: threads >= 1. */
 void fast_share(fast_work *work, uint32_t tasks, uint32_t threads);
 
-/* Of `count` things, task number `task` of `tasks` begins with this one, and ends before
- * that of the next task. */
+/* Of `count` things, task number `task` of `tasks` begins with this one, and ends
+ * before that of the next task. */
 static inline uint32_t
 fast_begin(uint32_t task, uint32_t tasks, uint32_t count)
 {

@@ -133,7 +133,7 @@ merge(mesh *m, const point2 *points, vertex_id v, vertex_id w)
     while (!m->cancelled) {
         halfedge_id left = left_candidate(m, points, rl);       // Step 3
         halfedge_id right = right_candidate(m, points, rl);     // Step 4
-        if (left == NONE && right == NONE)                      // Step 5: upper tangent.
+        if (left == NONE && right == NONE)                      // Step 5: upper tangent
             return;
         bool go_right = left == NONE ||
             (right != NONE && right_is_first(m, points, left, right));

@@ -25,8 +25,7 @@ add_file(archive *a, packed_file f)
     a->file[a->files++] = f;
 }
 
-/* ---- tar: before each file a block with its name, size and type (POSIX ustar).
- * ---- */
+/* ---- tar: before each file a block with its name, size, type (POSIX ustar). ---- */
 
 enum { BLOCK = 512 };
 enum { NAME = 0, SIZE = 124, CHECKSUM = 148, TYPE = 156, MAGIC = 257, PREFIX = 345 };

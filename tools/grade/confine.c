@@ -24,9 +24,10 @@ confine_privileges(void)
     return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
 }
 
-/* ---- Landlock. Its numbers are spelled out: the headers of a system can be older
- * than its kernel, and what a version forbids is known by its number only. ---- */
+/* ---- Landlock. ---- */
 
+/* Numbers are spelled out: the headers of a system can be older than its kernel, and
+ * what a version forbids is known by its number only. */
 enum { CREATE_RULESET = 444, ADD_RULE = 445, RESTRICT_SELF = 446 };
 
 enum {

@@ -293,8 +293,7 @@ file_of(const assignment *a, const task *t)
     refuse("assignment.ini: the file of %s is not listed", t->exercise);
 }
 
-/* ---- The submission, and, where it fails, each exercise with the reference's others.
- * ---- */
+/* ---- The submission; where it fails, each exercise, the others correct. ---- */
 
 static bool
 all_earned(const result *r, const task *t)

@@ -10,8 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* ---- Memory: a chain of blocks, so that all of it is still in reach at the end.
- * ---- */
+/* ---- Memory: a chain of blocks, so that all is still in reach at the end. ---- */
 
 typedef struct block {
     struct block *before;
