@@ -43,13 +43,11 @@ solutions_and_nothing_else_are_taken_out(void)
         strcmp(
             said,
             "./Makefile ./README.md ./assignment.ini ./assignment.mk "
-            "./chapters/2.3_a/README.md "
-            "./chapters/2.3_a/a.c ./chapters/2.3_a/a.h ./chapters/2.3_a/figures/x.svg "
-            "./checks/2.3.c ./checks/checker.c ./checks/checker.h ./checks/hint.sh "
-            "./checks/more.c ./checks/run.sh ./checks/student/2.3.c "
-            "./checks/student/driver.c "
-            "./checks/submit.c ./checks/ustar.c ./checks/ustar.h ./checks/wire.c "
-            "./checks/wire.h "
+            "./chapters/2.3_a/README.md ./chapters/2.3_a/a.c ./chapters/2.3_a/a.h "
+            "./chapters/2.3_a/figures/x.svg ./checks/2.3.c ./checks/checker.c "
+            "./checks/checker.h ./checks/hint.sh ./checks/more.c ./checks/run.sh "
+            "./checks/student/2.3.c ./checks/student/driver.c ./checks/submit.c "
+            "./checks/ustar.c ./checks/ustar.h ./checks/wire.c ./checks/wire.h "
             "./docs/LICENSE ./lib/one.c ./lib/one.h ./lib/part.c ./lib/todo.h ") == 0,
         "%s", said);
     CLAIM("handout.outside", run("grep -rn 'tools/' out/t") == 1, "%s", said);

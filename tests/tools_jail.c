@@ -185,9 +185,7 @@ nothing_survives_the_jail(void)
             "cd $d/box && mkfifo pipe && { %s ./jail run -- ./attack name >pipe & } && "
             "jail=$! && { read pid && test -n \"$pid\" && kill -0 $pid && "
             "kill -%s $jail && sleep 0.2 && ! grep -q 'State:.[RSDT]' "
-            "/proc/$pid/status "
-            "2>/dev/null; } <pipe; "
-            "status=$?; rm pipe; exit $status",
+            "/proc/$pid/status 2>/dev/null; } <pipe; status=$?; rm pipe; exit $status",
             as, signals[i]);
         CLAIM("jail.orphans", status == 0,
               "after SIG%s of the jail the program lives on", signals[i]);

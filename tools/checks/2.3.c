@@ -321,8 +321,7 @@ const property properties[] = {
      CASES_GENERAL | CASES_CONVEX, 60, 100, true, sweep_triangulates},
     {"2.3-c", "degenerate",
      "The result is a triangulation of the points when some coincide, or lie on a line "
-     "or "
-     "circle",
+     "or circle",
      "page 2.3, where it breaks", CASES_DEGENERATE, 40, 300, true, sweep_triangulates},
     {"2.3-c", "tests", "There are at most 6 n orientation tests",
      "page 2.3, what it costs", CASES_GENERAL | CASES_CONVEX | CASES_GRID, 300, 20,

@@ -250,8 +250,7 @@ check_end(session *s, const site *at, uint32_t n, const diagram *d, uint32_t k,
     name_end(wanted, should);
     if (!expect(s, any ? end != NONE && is_beside(d, at, end, p, q, side) : end == NONE,
                 "the edge with %lu on its left and %lu on its right %s at %s: a wrong "
-                "place, "
-                "it should at %s",
+                "place, it should at %s",
                 (unsigned long)d->left[k], (unsigned long)d->right[k],
                 side > 0 ? "ends" : "begins", is,
                 any && wanted == NONE ? "a vertex that there is not" : should)) {
@@ -454,8 +453,7 @@ const property properties[] = {
      "voronoi.h, voronoi", DIFFERENT, 20, 80, true, cells_are_right},
     {"3.1-b", "degenerate",
      "The diagram is right on grids, circles and lines, and with copies: circles that "
-     "are "
-     "the same are one vertex",
+     "are the same are one vertex",
      "page 3.1, sec3.1.P5", CASES_DEGENERATE, 16, 200, true, diagram_is_right},
     {"3.1-c", "nearest", "No site is nearer than the answer",
      "notes 3.1, the post-office problem; page 3.1, sec3.1.P14",

@@ -120,20 +120,17 @@ const property properties[] = {
      point_is_lifted},
     {"3.3-a", "below",
      "The lifted d lies below the plane of a, b, c exactly when d is inside their "
-     "circle, "
-     "in either order of a, b, c",
+     "circle, in either order of a, b, c",
      "notes 3.3, Proposition 1; page 3.3, prop1.P2",
      CASES_GENERAL | CASES_GRID | CASES_COCIRCULAR, 8, 400, false, below_is_inside},
     {"3.3-b", "hull",
      "There are 2v - 4 faces, no point is outside of any, and each side is there once, "
-     "and "
-     "once the other way",
+     "and once the other way",
      "notes 3.3, below Proposition 1; page 3.3, lower.P2", CASES_GENERAL | CASES_CONVEX,
      40, 80, true, hull_is_right},
     {"3.3-b", "degenerate",
      "The hull is right, too, for cocircular points and copies; points on one line or "
-     "circle "
-     "have a flat hull, without faces",
+     "circle have a flat hull, without faces",
      "page 3.3, lower.P3; erratum E26", CASES_DEGENERATE, 30, 150, true, hull_is_right},
     {"3.3-b", "neighbours",
      "The twin of each side runs along the same edge, the other way",

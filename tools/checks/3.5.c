@@ -179,8 +179,7 @@ check_links(session *s, const reported *r)
                r->origin[t] == r->origin[next_of(e)] &&
                    r->origin[e] == r->origin[next_of(t)],
                "half-edges %lu (%lu-%lu) and %lu (%lu-%lu) are twins, and do not run "
-               "between "
-               "the same vertices",
+               "between the same vertices",
                (unsigned long)e, (unsigned long)r->origin[e],
                (unsigned long)r->origin[next_of(e)], (unsigned long)t,
                (unsigned long)r->origin[t], (unsigned long)r->origin[next_of(t)]);

@@ -219,8 +219,7 @@ check_links(session *s, uint32_t n, const halves *h)
                h->origin[t] == h->origin[next_of(e)] &&
                    h->origin[e] == h->origin[next_of(t)],
                "half-edges %lu (%s) and %lu (%s) are twins, and do not run between the "
-               "same "
-               "vertices",
+               "same vertices",
                (unsigned long)e,
                name_of_edge(n, h->origin[e], h->origin[next_of(e)]).text,
                (unsigned long)t,
@@ -322,14 +321,12 @@ enum { EVERYTHING = CASES_GENERAL | CASES_CONVEX | CASES_DEGENERATE };
 const property properties[] = {
     {"3.6-a", "triangle",
      "A point in a triangle is joined to its corners; one that sees a hull edge, to "
-     "its "
-     "ends",
+     "its ends",
      "notes 3.6, line 4 of Figure 12; incremental.h", EVERYTHING, 14, 200, false,
      triangles_are_split},
     {"3.6-a", "edge",
      "A point on an edge is joined to four corners; one beyond the end of a path, to "
-     "that "
-     "end",
+     "that end",
      "page 3.6, erratum E42; incremental.h", CASES_DEGENERATE, 14, 200, false,
      edges_are_split},
     {"3.6-a", "links",
@@ -346,8 +343,7 @@ const property properties[] = {
      "notes 3.6.4; page 3.6, walk.P2", EVERYTHING, 24, 300, true, walk_is_straight},
     {"3.6-b", "tests",
      "There are at most two tests for each triangle at the start and for each visited "
-     "one, "
-     "and three more",
+     "one, and three more",
      "page 3.6, walk.P3; walk.h", EVERYTHING, 50, 80, true, walk_is_cheap},
     {"3.6-c", "delaunay", "The result is a Delaunay triangulation",
      "notes 3.6, Figure 12; page 3.6, fig12.P4", CASES_GENERAL | CASES_CONVEX, 40, 100,

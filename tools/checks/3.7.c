@@ -102,8 +102,7 @@ merge_is_linear(session *s, const site *p, uint32_t n)
     uint64_t most = 16 * (uint64_t)u;
     expect(s, asked_in_all(s) <= most || u == 0,
            "%llu questions to merge %lu points, left and right together; 8 orientation "
-           "and "
-           "8 incircle tests for each are %llu",
+           "and 8 incircle tests for each are %llu",
            (unsigned long long)asked_in_all(s), (unsigned long)u,
            (unsigned long long)most);
 }

@@ -209,9 +209,8 @@ usage(const char *wrong)
 {
     fprintf(stderr,
             "checker: %s\nusage: checker EXERCISE [--seed N | --case POINTS] "
-            "[--property NAME] "
-            "[--variant NAME] [--instances FILE] [--feedback DIR] [--again TEXT] "
-            "[--again-case TEXT] -- PROGRAM [ARGUMENT...]\n",
+            "[--property NAME] [--variant NAME] [--instances FILE] [--feedback DIR] "
+            "[--again TEXT] [--again-case TEXT] -- PROGRAM [ARGUMENT...]\n",
             wrong);
     exit(CHECKER_FAULT);
 }

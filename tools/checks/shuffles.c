@@ -173,8 +173,7 @@ visit_all(session *s, uint32_t count, fraction *of)
                 add_share(&of[rank_of(order, count)], under),
             "for %lu items the random numbers can come in more than %d ways, which is "
             "too many to look at: ask for numbers below 2, 3 and so on, up to the "
-            "number "
-            "of items",
+            "number of items",
             (unsigned long)count, MOST_LEAVES);
     } while (!failed(s) && turn_to_next(&l));
     return leaves;

@@ -1,9 +1,10 @@
 /* formats.c - a result as files that other systems read.
  *
- *   gradescope   results.json, as Gradescope's autograder specification names the
- * fields classroom50  result.json, schema classroom50/result/v1 junit        junit.xml,
- * which most systems for continuous integration show tap          result.tap, the Test
- * Anything Protocol text         result.txt, for people
+ *   gradescope   results.json, named as Gradescope's autograder specification does
+ *   classroom50  result.json, schema classroom50/result/v1
+ *   junit        junit.xml, which most systems for continuous integration show
+ *   tap          result.tap, the Test Anything Protocol
+ *   text         result.txt, for people
  *
  * The same submission gives the same bytes: no times, no names of folders.
  */
@@ -17,9 +18,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char fault_text[] = "The grader itself has failed. This is not the fault "
-                                 "of the submission, and no score "
-                                 "has been given.";
+static const char fault_text[] =
+    "The grader itself has failed. This is not the fault of the submission, and no "
+    "score has been given.";
 
 /* "2.3-b sees" */
 static const char *

@@ -3,9 +3,10 @@
  *     grade [-a WEEK|SECTION|EXERCISE] [--base FOLDER] [--seed-file FILE] [-j N]
  *           [--format LIST] [-o FOLDER] [--csv FILE] [--roster FILE] [--supply]
  *           [--variant NAME] [--answers] [--require-sandbox] [--one]
- * SUBMISSION|FOLDER... grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o
- * FOLDER grade --viva ID -a ... SUBMISSION grade --pack gradescope -a ... [--seed-file
- * FILE] -o FILE.zip
+ *           SUBMISSION|FOLDER...
+ *     grade --prepare [-a ...] [--base FOLDER] [--variant NAME] -o FOLDER
+ *     grade --viva ID -a ... SUBMISSION
+ *     grade --pack gradescope -a ... [--seed-file FILE] -o FILE.zip
  *
  * docs/grading.md explains it. Exit status: 0 all were graded; 1 refused, standard
  * error says why; 2 the program cannot run; 3 for some submissions the grader has
@@ -197,18 +198,13 @@ bring_reference(const grading *g)
 {
     char *said;
     const char *to = format("%s/reference", g->work);
-    const char *const sh[] = {"sh",
-                              "-c",
-                              "mkdir -p \"$1/docs\" && cp -R chapters \"$1\" && cp "
-                              "docs/assignments.ini \"$1/docs\" && "
-                              "cp \"$0/splice\" \"$1\" && chmod -R a+rX \"$1\"",
-                              g->tools,
-                              to,
-                              NULL};
+    const char *const sh[] = {"sh", "-c",
+        "mkdir -p \"$1/docs\" && cp -R chapters \"$1\" && "
+        "cp docs/assignments.ini \"$1/docs\" && "
+        "cp \"$0/splice\" \"$1\" && chmod -R a+rX \"$1\"", g->tools, to, NULL};
     if (run(g->project, sh, 60, 2000, &said, NULL) != 0)
-        refuse(
-            "--supply needs the project's chapters and splice; run it in its root: %s",
-            said);
+        refuse("--supply needs the project's chapters and splice; run it in its "
+               "root: %s", said);
     return to;
 }
 
@@ -409,8 +405,7 @@ check_untouched(const grading *g)
     for (size_t p = 0; p < g->asked.properties; p++)
         if (strcmp(r.mark[p].word, "todo") != 0)
             refuse("nothing can be graded here: of the tree as it was handed out, %s "
-                   "%s comes "
-                   "out as %s, and not as todo: %s",
+                   "%s comes out as %s, and not as todo: %s",
                    g->asked.property[p].of->exercise, g->asked.property[p].name,
                    r.mark[p].word, r.mark[p].text);
 }

@@ -400,8 +400,7 @@ keep_pictures(const char *folder, const char *output)
         "-c",
         "rm -rf \"$1/feedback\" && cd \"$0\" && for p in feedback/*/*.svg; do "
         "[ -f \"$p\" ] || continue; mkdir -p \"$1/${p%/*}\" && cp \"$p\" \"$1/$p\" || "
-        "exit 1; "
-        "done",
+        "exit 1; done",
         folder,
         output,
         NULL};

@@ -220,9 +220,9 @@ opaque_text(const handout *h)
     }
     return *list == '\0' ? ""
                          : format("In %s the predicates (`orient2d`, `incircle`, ...) "
-                                  "are answered by the checker, "
-                                  "which also counts them. Then the\ncoordinates of "
-                                  "the points say nothing: ask, do "
+                                  "are answered by the checker, which also counts "
+                                  "them. Then the\n"
+                                  "coordinates of the points say nothing: ask, do "
                                   "not compute.\n\n",
                                   list);
 }
@@ -263,10 +263,9 @@ list_of_pages(const handout *h)
     return *list == '\0'
                ? ""
                : format("The pages\nof the sections (%s) have the ideas, the proofs "
-                        "and the pictures. Where "
-                        "they speak of other sections,\nof tests, of `build/tri` or of "
-                        "`make` with the number of "
-                        "a section, they mean the tree from which yours was taken.",
+                        "and the pictures. Where they speak of other sections,\nof "
+                        "tests, of `build/tri` or of `make` with the number of a "
+                        "section, they mean the tree from which yours was taken.",
                         list);
 }
 

@@ -31,18 +31,17 @@ print_questions(const questions *q, const char *section)
     if (section[2] == '5')
         printf(
             "\nFigure 10 begins with these triangles and this stack L; line 5 pushes "
-            "as "
-            "push_link\ndoes. What is on the stack after three flips, written like L? "
-            "(3-4 or 4-3 is the same.)\nstack:\n\nSomebody forgets line 5, so nothing "
-            "is "
-            "pushed. Then the loop ends with an edge ab\nthat is not locally Delaunay, "
-            "and "
-            "opposite to it are c and d. Name one: a b c d.\nwitness:\n");
+            "as push_link\n"
+            "does. What is on the stack after three flips, written like L? "
+            "(3-4 or 4-3 is the same.)\nstack:\n\n"
+            "Somebody forgets line 5, so nothing is pushed. Then the loop ends with an "
+            "edge ab\nthat is not locally Delaunay, and opposite to it are c and d. "
+            "Name one: a b c d.\nwitness:\n");
     if (section[2] == '6')
         printf(
             "\nPoints 0 to 5 have a Delaunay triangulation, and point 6 is inserted. "
-            "Its "
-            "neighbours\nare then, counterclockwise, whichever comes first:\nlink:\n");
+            "Its neighbours\n"
+            "are then, counterclockwise, whichever comes first:\nlink:\n");
 }
 
 /* Copies the words, with one blank between them. */
