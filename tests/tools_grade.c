@@ -47,32 +47,29 @@ enum { ENDS = sizeof ends / sizeof ends[0] };
 static bool
 write_odd_submissions(void)
 {
-    return shell("zip=$PWD/tests/grading/make_zip.sh; cd $d/class && mkdir -p "
-                 "untouched link/%s linked_folder archive empty flat "
-                 "&& rmdir link/%s && cp -R ../base/chapters untouched && "
-                 "ln -s /etc/passwd link/%s && ln -s ../good/chapters "
-                 "linked_folder/chapters && "
-                 "mkdir packed && (cd good && tar -cf ../archive/submission.tar %s && "
-                 "tar -czf ../packed.tar.gz %s) && rmdir packed && "
-                 "cp good/%s flat/sweep.c && echo 'int x;' >flat/helper.h && "
-                 "touch \"flat/$(printf 'a\\033[31mb\\342\\200\\256\\r\\007c').h\" && "
-                 "mkdir -p no_function/%s && rmdir no_function/%s && "
-                 "sed 's/^hull_edges_seeing/another_name/' good/%s >no_function/%s && "
-                 "(cd link && tar -cf ../link_in_archive.tar %s) && "
-                 "head -c 3000 archive/submission.tar >damaged.tar && echo hello "
-                 ">hello.tar && "
-                 "cp -R good nested && (cd nested && mkdir a && mv chapters a && mkdir "
-                 "-p b/b/chapters && "
-                 "echo 'wrong' >b/b/sweep.c && tar -czf ../nested.tgz .) && rm -r "
-                 "nested && "
-                 "mkdir zipped && sh $zip zipped/week2.zip 0100644 week2/%s good/%s "
-                 "0100644 __MACOSX/week2/._sweep.c good/%s 0100644 week2/more.c "
-                 "good/%s && "
-                 "sh $zip backslashes.zip 0100644 "
-                 "chapters\\\\2.3_line_sweep\\\\sweep.c good/%s && "
-                 "touch empty/README.txt",
-                 SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP,
-                 SWEEP, SWEEP, SWEEP, SWEEP, SWEEP, SWEEP) == 0;
+    return shell(
+        "zip=$PWD/tests/grading/make_zip.sh f=%s; cd $d/class && "
+        "mkdir -p untouched link/$f linked_folder archive empty flat && "
+        "rmdir link/$f && cp -R ../base/chapters untouched && "
+        "ln -s /etc/passwd link/$f && "
+        "ln -s ../good/chapters linked_folder/chapters && "
+        "(cd good && tar -cf ../archive/submission.tar $f && "
+        "tar -czf ../packed.tar.gz $f) && "
+        "cp good/$f flat/sweep.c && echo 'int x;' >flat/helper.h && "
+        "touch \"flat/$(printf 'a\\033[31mb\\342\\200\\256\\r\\007c').h\" && "
+        "mkdir -p no_function/$f && rmdir no_function/$f && "
+        "sed 's/^hull_edges_seeing/another_name/' good/$f >no_function/$f && "
+        "(cd link && tar -cf ../link_in_archive.tar $f) && "
+        "head -c 3000 archive/submission.tar >damaged.tar && "
+        "echo hello >hello.tar && "
+        "cp -R good nested && (cd nested && mkdir a && mv chapters a && "
+        "mkdir -p b/b/chapters && echo 'wrong' >b/b/sweep.c && "
+        "tar -czf ../nested.tgz .) && rm -r nested && "
+        "mkdir zipped && sh $zip zipped/week2.zip 0100644 week2/$f good/$f "
+        "0100644 __MACOSX/week2/._sweep.c good/$f 0100644 week2/more.c good/$f && "
+        "sh $zip backslashes.zip 0100644 "
+        "chapters\\\\2.3_line_sweep\\\\sweep.c good/$f && "
+        "touch empty/README.txt", SWEEP) == 0;
 }
 
 /* Grades the class once for all that follows. */

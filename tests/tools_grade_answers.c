@@ -139,9 +139,10 @@ prepare(void)
         return -1;
     return shell(
         "$build/grade --prepare -a 2.3 --answers -o $d/section >$d/out 2>&1 && "
-        "echo absent >$d/roster && $build/grade --base $d/section -j 2 --roster "
-        "$d/roster --format text,gradescope,classroom50,junit,tap --csv $d/own.csv -o "
-        "$d/own_graded $d/own >$d/out 2>$d/err");
+        "echo absent >$d/roster && "
+        "$build/grade --base $d/section -j 2 --roster $d/roster "
+        "--format text,gradescope,classroom50,junit,tap --csv $d/own.csv "
+        "-o $d/own_graded $d/own >$d/out 2>$d/err");
 }
 
 /* --supply: 2.3-c is right, and rests on a 2.3-b that is wrong. For root this must work
