@@ -14,8 +14,7 @@
  */
 #include "tools/grade/grade.h"
 
-#include "lib/output.h"
-#include "tools/grade/clean.h"
+#include "tools/grade/rows.h"
 #include "tools/grade/submissions.h"
 #include "tools/handout/basics.h"
 
@@ -242,61 +241,6 @@ prepare(const request *r, const char *self)
     return g;
 }
 
-/* ---- The class, a row for each. ---- */
-
-static void
-write_head(FILE *file, const assignment *a)
-{
-    fprintf(file, "submission,score,total,state");
-    for (size_t p = 0; p < a->properties; p++)
-        fprintf(file, ",%s %s", a->property[p].of->exercise, a->property[p].name);
-    putc('\n', file);
-}
-
-static void
-write_row(FILE *file, const assignment *a, const result *r, const char *state)
-{
-    print_csv(file, r->name);
-    if (r->fault != NULL)
-        fprintf(file, ",,%d,infra_error", a->total);
-    else
-        fprintf(file, ",%d,%d,%s", result_score(a, r), a->total, state);
-    for (size_t p = 0; p < a->properties; p++)
-        if (r->fault != NULL)
-            putc(',', file);
-        else
-            fprintf(file, ",%d", mark_earned(&r->mark[p]) ? a->property[p].points : 0);
-    putc('\n', file);
-}
-
-static const char *
-row_path(const grading *g, const submission *s)
-{
-    return format("%s/%s.row", g->work, s->name);
-}
-
-static void
-leave_row(const grading *g, const submission *s, const result *r, const char *state)
-{
-    FILE *file = fopen(row_path(g, s), "w");
-    if (file == NULL)
-        give_up(row_path(g, s));
-    write_row(file, &g->asked, r, state);
-    if (fclose(file) != 0)
-        give_up(row_path(g, s));
-}
-
-/* For the class's table. Where not one of the files could be used, somebody should
- * look. */
-static const char *
-state_of(const assignment *a, const submission *s, const result *r)
-{
-    bool refused = true;
-    for (size_t p = 0; p < a->properties; p++)
-        refused = refused && strcmp(r->mark[p].word, "refused") == 0;
-    return s->path == NULL ? "missing" : refused ? "refused" : "graded";
-}
-
 /* ---- Grading. ---- */
 
 /* In a process of its own: whatever becomes of one submission, the others are graded.
@@ -315,7 +259,7 @@ grade_one(const grading *g, const submission *s)
         r = mark_submission(g, s->name, s->path, scratch, s->output);
         formats_write(g, &r, s->output);
     }
-    leave_row(g, s, &r, state_of(&g->asked, s, &r));
+    row_leave(g, s, &r);
     remove_folder(scratch);
     _exit(r.fault != NULL ? FAULT : GRADED);
 }
@@ -330,7 +274,7 @@ worker_ended(const grading *g, const submission *s, int status)
     result r = result_nothing(&g->asked, s->name, "");
     r.fault = format("the process that grades it ended with status %d", status);
     formats_write(g, &r, s->output);
-    leave_row(g, s, &r, "");
+    row_leave(g, s, &r);
     return FAULT;
 }
 
@@ -410,19 +354,6 @@ check_untouched(const grading *g)
                    r.mark[p].word, r.mark[p].text);
 }
 
-static void
-write_csv(const grading *g, const class *c, const char *path)
-{
-    output o;
-    if (output_begin(&o, path) != TRI_OK)
-        give_up(path);
-    write_head(o.file, &g->asked);
-    for (size_t i = 0; i < c->count; i++)
-        fputs(file_bytes(row_path(g, &c->at[i]), NULL), o.file);
-    if (output_commit(&o) != TRI_OK)
-        give_up(path);
-}
-
 /* Students have the instances of 3.4 with their signs: a program could know them by
  * heart. So the seed makes others. */
 static void
@@ -452,7 +383,7 @@ grade_class(const request *r, const char *self)
     make_folder(format("%s/of", g.work));
     int worst = grade_all(&g, &c, r->workers);
     if (r->csv != NULL)
-        write_csv(&g, &c, r->csv);
+        rows_join(&g, &c, r->csv);
     for (size_t i = 0; i < c.count; i++) {
         const char *text = file_bytes(format("%s/result.txt", c.at[i].output), NULL);
         if (text != NULL && has_word(g.formats, "text", 4))
