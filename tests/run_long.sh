@@ -12,10 +12,10 @@
 # What a machine lacks is skipped, with a sentence, and counted apart. Ends with
 # "N passed, N failed".
 #
-# It is meant for a night: part 1 took 19 minutes of processor time, part 2 half a minute
-# for each compiler and set of flags before it, too, had ten times as many trials; in
-# part 3 each input may take half a minute; a row of part 4 took a minute of processor
-# time, and one under an emulator several.
+# It is meant for a night: part 1 took 19 minutes of processor time, part 2 half a
+# minute for each compiler and set of flags before it, too, had ten times as many
+# trials; in part 3 each input may take half a minute; a row of part 4 took a minute of
+# processor time, and one under an emulator several.
 set -u
 
 if [ $# -lt 2 ]; then
