@@ -149,8 +149,8 @@ draw_some(session *s, const site *p, uint32_t n, bool connected, drawing *d)
         d->edges++;
     }
     find_components(d);
-    for (uint32_t k = 0; connected && k < d->edges;
-         k++) { /* and now fewer, as they go */
+    /* There are fewer and fewer, as they go. */
+    for (uint32_t k = 0; connected && k < d->edges; k++) {
         if (random_below(trial_random(s), 2) == 0)
             continue;
         drawing without = *d;

@@ -62,8 +62,8 @@ check_sides(session *s, const site *p, uint32_t n, bool hull)
     halfedge_id *twin = room_for(3 * list.count, sizeof *twin);
     certify_twins(list, twin);
     for (halfedge_id e = 0; e < 3 * list.count && !failed(s); e++)
-        for (int side = 0; side < 2;
-             side++) /* e, and the same edge from its other side */
+        /* e, and the same edge from its other side */
+        for (int side = 0; side < 2; side++)
             if ((twin[e] == NONE) == hull)
                 check_side(s, p, list, e, twin[e]);
             else

@@ -30,8 +30,7 @@ some_spot(session *s, const scene *sc, bool in_triangle, halfedge_id *e)
 
 /* What is said about the mesh before and after the split. */
 typedef struct halves {
-    uint32_t count, e,
-        twin; /* before: how many; the half-edge of the place, its twin */
+    uint32_t count, e, twin; /* before: how many; a half-edge of the place, its twin */
     uint32_t *before, *origin, *twins, *leaving;
 } halves;
 

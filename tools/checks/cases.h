@@ -11,8 +11,7 @@
 
 /* Families, to be added up. */
 enum {
-    CASES_GENERAL =
-        1, /* somewhere in the whole range; no three collinear, as good as always */
+    CASES_GENERAL = 1,     /* in the whole range; as good as never three collinear */
     CASES_GRID = 2,        /* on a small grid: ties of all kinds, no two points equal */
     CASES_COCIRCULAR = 4,  /* many on one circle */
     CASES_COLLINEAR = 8,   /* all on one line */
