@@ -68,6 +68,12 @@ function Code(code)
   end
 end
 
+-- ```math is a formula as well, one whose backslashes GitHub does not take for its own.
+function CodeBlock(block)
+  if block.classes[1] ~= "math" then return nil end
+  return pandoc.Para({pandoc.Math("DisplayMath", block.text)})
+end
+
 -- The panels of a picture of lib/svg.c, each as a picture of its own: where there is no
 -- room side by side they stand below each other. Nothing is drawn outside the panels; the
 -- lines of a panel's caption come before it.
