@@ -220,7 +220,7 @@ book: $(BUILD)/weave $(BUILD)/tri ## the pages as a static HTML book in build/bo
 
 PEERS = $(patsubst %,$(BUILD)/posix/tools/bench/%.o,peers/main stopwatch certify)
 
-bench: $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/tri $(PEERS) ## times, and aims, beside sorting and other libraries (10 minutes)
+bench: $(BUILD)/bench/bench $(BUILD)/bench/tiers $(BUILD)/tri $(PEERS) ## times, and aims, beside sorting and other libraries (11 minutes)
 	CC="$(CC)" CFLAGS="$(CFLAGS)" tools/bench/peers.sh $(BUILD)
 	$(BUILD)/bench/bench -o $(BUILD)/bench
 
