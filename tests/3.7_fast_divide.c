@@ -150,15 +150,21 @@ run_of(const point2 *points, uint32_t n, double unit)
         free(run.site); \
     } while (0)
 
+/* Four of the points, perhaps one of them twice. */
+static void
+choose_four(const point2 *points, uint32_t n, point2 at[4])
+{
+    for (int k = 0; k < 4; k++)
+        at[k] = points[random_below(test_random_source(), n)];
+}
+
 static void
 answers_are_right(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n >= 4);
-    random_source *s = test_random_source();
     for (int i = 0; i < 20; i++) {
         point2 at[4];
-        for (int k = 0; k < 4; k++)
-            at[k] = points[random_below(s, n)];
+        choose_four(points, n, at);
         EXPECT_RIGHT_ANSWERS("fast.P2", at, 0);
     }
 }
@@ -290,11 +296,9 @@ static void
 more_bits_are_right(const point2 *points, uint32_t n)
 {
     HYPOTHESIS(n >= 4);
-    random_source *s = test_random_source();
     for (int i = 0; i < 20; i++) {
         point2 at[4];
-        for (int k = 0; k < 4; k++)
-            at[k] = points[random_below(s, n)];
+        choose_four(points, n, at);
         expect_right_with_more_bits(at);
     }
 }
